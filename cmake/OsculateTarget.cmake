@@ -1,0 +1,15 @@
+# Warnings and processor options shared by every target of the project.
+function(osculate_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    $<$<BOOL:${OSCULATE_WARNINGS_AS_ERRORS}>:-Werror> $<$<BOOL:${OSCULATE_NATIVE}>:-march=native>
+    # errno and floating-point traps are not used; with them sqrt and select would not be one instruction.
+    -fno-math-errno -fno-trapping-math)
+  # Highway compiles the batched kernels once per instruction set and picks at run time; SSSE3 adds nothing over SSE4.
+  target_compile_definitions(${target} PRIVATE HWY_DISABLED_TARGETS=HWY_SSSE3)
+endfunction()
+
+# Every source of a room, so that a new theory or shape is its own file and nothing else.
+function(osculate_sources variable room)
+  file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cpp)
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()

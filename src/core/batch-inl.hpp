@@ -1,0 +1,135 @@
+// Scalar or batch: one formula, two number types.
+// A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, any, all. Highway includes it once per
+// instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its own.
+#if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef OSCULATE_CORE_BATCH_INL
+#undef OSCULATE_CORE_BATCH_INL
+#else
+#define OSCULATE_CORE_BATCH_INL
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace osculate {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<double>;
+using IntTag = hn::RebindToSigned<Tag>;
+
+struct Mask {
+  hn::Mask<Tag> m;
+};
+
+struct Batch {
+  hn::Vec<Tag> v;
+
+  Batch() = default;
+  HWY_INLINE Batch(double x) : v(hn::Set(Tag(), x)) {}  // NOLINT: constants in formulas convert by design
+  HWY_INLINE explicit Batch(hn::Vec<Tag> x) : v(x) {}
+};
+
+/// How many contacts one Real holds.
+template <class Real>
+constexpr std::size_t lanes() {
+  return 1;
+}
+template <>
+constexpr std::size_t lanes<Batch>() {
+  return hn::MaxLanes(Tag());
+}
+
+template <class Real>
+struct MaskOf {
+  using type = bool;
+};
+template <>
+struct MaskOf<Batch> {
+  using type = Mask;
+};
+template <class Real>
+using MaskType = typename MaskOf<Real>::type;
+
+HWY_INLINE Batch operator+(Batch a, Batch b) { return Batch(hn::Add(a.v, b.v)); }
+HWY_INLINE Batch operator-(Batch a, Batch b) { return Batch(hn::Sub(a.v, b.v)); }
+HWY_INLINE Batch operator*(Batch a, Batch b) { return Batch(hn::Mul(a.v, b.v)); }
+HWY_INLINE Batch operator/(Batch a, Batch b) { return Batch(hn::Div(a.v, b.v)); }
+HWY_INLINE Batch operator-(Batch a) { return Batch(hn::Neg(a.v)); }
+HWY_INLINE Batch& operator+=(Batch& a, Batch b) { return a = a + b; }
+HWY_INLINE Batch& operator-=(Batch& a, Batch b) { return a = a - b; }
+HWY_INLINE Batch& operator*=(Batch& a, Batch b) { return a = a * b; }
+HWY_INLINE Mask operator<(Batch a, Batch b) { return {hn::Lt(a.v, b.v)}; }
+HWY_INLINE Mask operator<=(Batch a, Batch b) { return {hn::Le(a.v, b.v)}; }
+HWY_INLINE Mask operator>(Batch a, Batch b) { return {hn::Gt(a.v, b.v)}; }
+HWY_INLINE Mask operator>=(Batch a, Batch b) { return {hn::Ge(a.v, b.v)}; }
+HWY_INLINE Mask operator==(Batch a, Batch b) { return {hn::Eq(a.v, b.v)}; }
+HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
+HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
+HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
+
+HWY_INLINE Batch select(Mask condition, Batch yes, Batch no) {
+  return Batch(hn::IfThenElse(condition.m, yes.v, no.v));
+}
+HWY_INLINE bool any(Mask a) { return !hn::AllFalse(Tag(), a.m); }
+HWY_INLINE bool all(Mask a) { return hn::AllTrue(Tag(), a.m); }
+HWY_INLINE Batch abs(Batch a) { return Batch(hn::Abs(a.v)); }
+HWY_INLINE Batch sqrt(Batch a) { return Batch(hn::Sqrt(a.v)); }
+HWY_INLINE Batch min(Batch a, Batch b) { return Batch(hn::Min(a.v, b.v)); }
+HWY_INLINE Batch max(Batch a, Batch b) { return Batch(hn::Max(a.v, b.v)); }
+HWY_INLINE Batch log(Batch a) { return Batch(hn::Log(Tag(), a.v)); }
+HWY_INLINE Batch exp(Batch a) { return Batch(hn::Exp(Tag(), a.v)); }
+HWY_INLINE Batch copysign(Batch magnitude, Batch sign) { return Batch(hn::CopySign(magnitude.v, sign.v)); }
+/// a·b + c, rounded once where the processor can.
+HWY_INLINE Batch fma(Batch a, Batch b, Batch c) { return Batch(hn::MulAdd(a.v, b.v, c.v)); }
+
+HWY_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
+HWY_INLINE bool any(bool a) { return a; }
+HWY_INLINE bool all(bool a) { return a; }
+HWY_INLINE double abs(double a) { return std::fabs(a); }
+HWY_INLINE double sqrt(double a) { return std::sqrt(a); }
+HWY_INLINE double min(double a, double b) { return b < a ? b : a; }
+HWY_INLINE double max(double a, double b) { return a < b ? b : a; }
+HWY_INLINE double log(double a) { return std::log(a); }
+HWY_INLINE double exp(double a) { return std::exp(a); }
+HWY_INLINE double copysign(double magnitude, double sign) { return std::copysign(magnitude, sign); }
+HWY_INLINE double fma(double a, double b, double c) { return a * b + c; }
+
+/// `count` ≥ 1 consecutive values from memory; lanes beyond `count` repeat the last one.
+template <class Real>
+HWY_INLINE Real load(const double* from, std::size_t count);
+template <>
+HWY_INLINE double load<double>(const double* from, std::size_t) {
+  return *from;
+}
+template <>
+HWY_INLINE Batch load<Batch>(const double* from, std::size_t count) {
+  if (count >= lanes<Batch>()) return Batch(hn::LoadU(Tag(), from));
+  HWY_ALIGN double padded[lanes<Batch>()];
+  for (std::size_t i = 0; i < lanes<Batch>(); ++i) padded[i] = from[i < count ? i : count - 1];
+  return Batch(hn::Load(Tag(), padded));
+}
+
+HWY_INLINE void store(double value, double* to, std::size_t) { *to = value; }
+HWY_INLINE void store(Batch value, double* to, std::size_t count) {
+  if (count >= lanes<Batch>()) return hn::StoreU(value.v, Tag(), to);
+  HWY_ALIGN double padded[lanes<Batch>()];
+  hn::Store(value.v, Tag(), padded);
+  for (std::size_t i = 0; i < count; ++i) to[i] = padded[i];
+}
+
+template <class Real>
+HWY_INLINE Real square(Real a) {
+  return a * a;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace osculate
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard
