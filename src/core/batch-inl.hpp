@@ -56,49 +56,129 @@ struct MaskOf<Batch> {
 template <class Real>
 using MaskType = typename MaskOf<Real>::type;
 
-HWY_INLINE Batch operator+(Batch a, Batch b) { return Batch(hn::Add(a.v, b.v)); }
-HWY_INLINE Batch operator-(Batch a, Batch b) { return Batch(hn::Sub(a.v, b.v)); }
-HWY_INLINE Batch operator*(Batch a, Batch b) { return Batch(hn::Mul(a.v, b.v)); }
-HWY_INLINE Batch operator/(Batch a, Batch b) { return Batch(hn::Div(a.v, b.v)); }
-HWY_INLINE Batch operator-(Batch a) { return Batch(hn::Neg(a.v)); }
-HWY_INLINE Batch& operator+=(Batch& a, Batch b) { return a = a + b; }
-HWY_INLINE Batch& operator-=(Batch& a, Batch b) { return a = a - b; }
-HWY_INLINE Batch& operator*=(Batch& a, Batch b) { return a = a * b; }
-HWY_INLINE Mask operator<(Batch a, Batch b) { return {hn::Lt(a.v, b.v)}; }
-HWY_INLINE Mask operator<=(Batch a, Batch b) { return {hn::Le(a.v, b.v)}; }
-HWY_INLINE Mask operator>(Batch a, Batch b) { return {hn::Gt(a.v, b.v)}; }
-HWY_INLINE Mask operator>=(Batch a, Batch b) { return {hn::Ge(a.v, b.v)}; }
-HWY_INLINE Mask operator==(Batch a, Batch b) { return {hn::Eq(a.v, b.v)}; }
-HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
-HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
-HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
+HWY_INLINE Batch operator+(Batch a, Batch b) {
+  return Batch(hn::Add(a.v, b.v));
+}
+HWY_INLINE Batch operator-(Batch a, Batch b) {
+  return Batch(hn::Sub(a.v, b.v));
+}
+HWY_INLINE Batch operator*(Batch a, Batch b) {
+  return Batch(hn::Mul(a.v, b.v));
+}
+HWY_INLINE Batch operator/(Batch a, Batch b) {
+  return Batch(hn::Div(a.v, b.v));
+}
+HWY_INLINE Batch operator-(Batch a) {
+  return Batch(hn::Neg(a.v));
+}
+HWY_INLINE Batch& operator+=(Batch& a, Batch b) {
+  return a = a + b;
+}
+HWY_INLINE Batch& operator-=(Batch& a, Batch b) {
+  return a = a - b;
+}
+HWY_INLINE Batch& operator*=(Batch& a, Batch b) {
+  return a = a * b;
+}
+HWY_INLINE Mask operator<(Batch a, Batch b) {
+  return {hn::Lt(a.v, b.v)};
+}
+HWY_INLINE Mask operator<=(Batch a, Batch b) {
+  return {hn::Le(a.v, b.v)};
+}
+HWY_INLINE Mask operator>(Batch a, Batch b) {
+  return {hn::Gt(a.v, b.v)};
+}
+HWY_INLINE Mask operator>=(Batch a, Batch b) {
+  return {hn::Ge(a.v, b.v)};
+}
+HWY_INLINE Mask operator==(Batch a, Batch b) {
+  return {hn::Eq(a.v, b.v)};
+}
+HWY_INLINE Mask operator&(Mask a, Mask b) {
+  return {hn::And(a.m, b.m)};
+}
+HWY_INLINE Mask operator|(Mask a, Mask b) {
+  return {hn::Or(a.m, b.m)};
+}
+HWY_INLINE Mask operator!(Mask a) {
+  return {hn::Not(a.m)};
+}
 
 HWY_INLINE Batch select(Mask condition, Batch yes, Batch no) {
   return Batch(hn::IfThenElse(condition.m, yes.v, no.v));
 }
-HWY_INLINE bool any(Mask a) { return !hn::AllFalse(Tag(), a.m); }
-HWY_INLINE bool all(Mask a) { return hn::AllTrue(Tag(), a.m); }
-HWY_INLINE Batch abs(Batch a) { return Batch(hn::Abs(a.v)); }
-HWY_INLINE Batch sqrt(Batch a) { return Batch(hn::Sqrt(a.v)); }
-HWY_INLINE Batch min(Batch a, Batch b) { return Batch(hn::Min(a.v, b.v)); }
-HWY_INLINE Batch max(Batch a, Batch b) { return Batch(hn::Max(a.v, b.v)); }
-HWY_INLINE Batch log(Batch a) { return Batch(hn::Log(Tag(), a.v)); }
-HWY_INLINE Batch exp(Batch a) { return Batch(hn::Exp(Tag(), a.v)); }
-HWY_INLINE Batch copysign(Batch magnitude, Batch sign) { return Batch(hn::CopySign(magnitude.v, sign.v)); }
+HWY_INLINE bool any(Mask a) {
+  return !hn::AllFalse(Tag(), a.m);
+}
+HWY_INLINE bool all(Mask a) {
+  return hn::AllTrue(Tag(), a.m);
+}
+HWY_INLINE Batch abs(Batch a) {
+  return Batch(hn::Abs(a.v));
+}
+HWY_INLINE Batch sqrt(Batch a) {
+  return Batch(hn::Sqrt(a.v));
+}
+HWY_INLINE Batch min(Batch a, Batch b) {
+  return Batch(hn::Min(a.v, b.v));
+}
+HWY_INLINE Batch max(Batch a, Batch b) {
+  return Batch(hn::Max(a.v, b.v));
+}
+HWY_INLINE Batch log(Batch a) {
+  return Batch(hn::Log(Tag(), a.v));
+}
+HWY_INLINE Batch exp(Batch a) {
+  return Batch(hn::Exp(Tag(), a.v));
+}
+HWY_INLINE Batch floor(Batch a) {
+  return Batch(hn::Floor(a.v));
+}
+HWY_INLINE Batch copysign(Batch magnitude, Batch sign) {
+  return Batch(hn::CopySign(magnitude.v, sign.v));
+}
 /// a·b + c, rounded once where the processor can.
-HWY_INLINE Batch fma(Batch a, Batch b, Batch c) { return Batch(hn::MulAdd(a.v, b.v, c.v)); }
+HWY_INLINE Batch fma(Batch a, Batch b, Batch c) {
+  return Batch(hn::MulAdd(a.v, b.v, c.v));
+}
 
-HWY_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
-HWY_INLINE bool any(bool a) { return a; }
-HWY_INLINE bool all(bool a) { return a; }
-HWY_INLINE double abs(double a) { return std::fabs(a); }
-HWY_INLINE double sqrt(double a) { return std::sqrt(a); }
-HWY_INLINE double min(double a, double b) { return b < a ? b : a; }
-HWY_INLINE double max(double a, double b) { return a < b ? b : a; }
-HWY_INLINE double log(double a) { return std::log(a); }
-HWY_INLINE double exp(double a) { return std::exp(a); }
-HWY_INLINE double copysign(double magnitude, double sign) { return std::copysign(magnitude, sign); }
-HWY_INLINE double fma(double a, double b, double c) { return a * b + c; }
+HWY_INLINE double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
+HWY_INLINE bool any(bool a) {
+  return a;
+}
+HWY_INLINE bool all(bool a) {
+  return a;
+}
+HWY_INLINE double abs(double a) {
+  return std::fabs(a);
+}
+HWY_INLINE double sqrt(double a) {
+  return std::sqrt(a);
+}
+HWY_INLINE double min(double a, double b) {
+  return b < a ? b : a;
+}
+HWY_INLINE double max(double a, double b) {
+  return a < b ? b : a;
+}
+HWY_INLINE double log(double a) {
+  return std::log(a);
+}
+HWY_INLINE double exp(double a) {
+  return std::exp(a);
+}
+HWY_INLINE double floor(double a) {
+  return std::floor(a);
+}
+HWY_INLINE double copysign(double magnitude, double sign) {
+  return std::copysign(magnitude, sign);
+}
+HWY_INLINE double fma(double a, double b, double c) {
+  return a * b + c;
+}
 
 /// `count` ≥ 1 consecutive values from memory; lanes beyond `count` repeat the last one.
 template <class Real>
@@ -115,7 +195,9 @@ HWY_INLINE Batch load<Batch>(const double* from, std::size_t count) {
   return Batch(hn::Load(Tag(), padded));
 }
 
-HWY_INLINE void store(double value, double* to, std::size_t) { *to = value; }
+HWY_INLINE void store(double value, double* to, std::size_t) {
+  *to = value;
+}
 HWY_INLINE void store(Batch value, double* to, std::size_t count) {
   if (count >= lanes<Batch>()) return hn::StoreU(value.v, Tag(), to);
   HWY_ALIGN double padded[lanes<Batch>()];

@@ -13,8 +13,8 @@ using Quat = Eigen::Quaterniond;
 
 /// Where a body is: x_w = orientation · x_b + position.
 struct Pose {
-  Vec3 position = Vec3::Zero();          ///< [m], world frame
-  Quat orientation = Quat::Identity();   ///< unit quaternion, body → world
+  Vec3 position = Vec3::Zero();         ///< [m], world frame
+  Quat orientation = Quat::Identity();  ///< unit quaternion, body → world
 
   Vec3 to_world(const Vec3& point_b) const { return orientation * point_b + position; }
   Vec3 to_body(const Vec3& point_w) const { return orientation.conjugate() * (point_w - position); }

@@ -18,7 +18,7 @@ struct Exponents {
 };
 
 struct Superquadric {
-  Vec3 half_axes;       ///< a, b, c > 0 [m]
+  Vec3 half_axes;  ///< a, b, c > 0 [m]
   Exponents exponents;
 };
 
@@ -30,9 +30,15 @@ struct Sphere {
   double radius;  ///< > 0 [m]
 };
 
-inline Superquadric as_superquadric(const Superquadric& shape) { return shape; }
-inline Superquadric as_superquadric(const Ellipsoid& shape) { return {shape.half_axes, {2.0, 2.0}}; }
-inline Superquadric as_superquadric(const Sphere& shape) { return {Vec3::Constant(shape.radius), {2.0, 2.0}}; }
+inline Superquadric as_superquadric(const Superquadric& shape) {
+  return shape;
+}
+inline Superquadric as_superquadric(const Ellipsoid& shape) {
+  return {shape.half_axes, {2.0, 2.0}};
+}
+inline Superquadric as_superquadric(const Sphere& shape) {
+  return {Vec3::Constant(shape.radius), {2.0, 2.0}};
+}
 
 /// Throws InputError unless the axes are positive and finite and the exponents lie in (1, 64].
 void validate(const Superquadric& shape);

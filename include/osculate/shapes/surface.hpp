@@ -17,9 +17,9 @@ struct Gauge {
 /// ∇h is the surface point with outward normal u; the tangent-plane part of ∇∇h at |u| = 1 has the
 /// principal radii of curvature as eigenvalues [m].
 struct Support {
-  double value;   ///< h(u) [m] for unit u
-  Vec3 point;     ///< ∇h(u) [m]
-  Mat3 hessian;   ///< ∇∇h(u) [m]
+  double value;  ///< h(u) [m] for unit u
+  Vec3 point;    ///< ∇h(u) [m]
+  Mat3 hessian;  ///< ∇∇h(u) [m]
 };
 
 /// Volume, centroid and inertia about the centroid, for unit density.
