@@ -1,0 +1,18 @@
+#pragma once
+// Tables in the terminal: aligned columns under a header, as people read them.
+
+#include <string>
+#include <vector>
+
+namespace osculate::io {
+
+/// Rows of text; numbers are formatted by the caller. The first column is left-aligned, the others right-aligned.
+struct Table {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// The table as text, ending in a newline. Widths count code points, so that δ and ° keep the columns straight.
+std::string to_text(const Table& table);
+
+}  // namespace osculate::io
