@@ -109,6 +109,9 @@ HWY_INLINE Mask operator!(Mask a) {
 HWY_INLINE Batch select(Mask condition, Batch yes, Batch no) {
   return Batch(hn::IfThenElse(condition.m, yes.v, no.v));
 }
+HWY_INLINE Mask select(Mask condition, Mask yes, Mask no) {
+  return {hn::Or(hn::And(condition.m, yes.m), hn::AndNot(condition.m, no.m))};
+}
 HWY_INLINE bool any(Mask a) {
   return !hn::AllFalse(Tag(), a.m);
 }
@@ -157,6 +160,9 @@ HWY_INLINE std::uint64_t bits(Mask a) {
 }
 HWY_INLINE std::uint64_t bits(bool a) {
   return a ? 1 : 0;
+}
+HWY_INLINE bool select(bool condition, bool yes, bool no) {
+  return condition ? yes : no;
 }
 HWY_INLINE bool any(bool a) {
   return a;

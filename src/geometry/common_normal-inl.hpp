@@ -28,6 +28,7 @@ struct SurfacePair {
   Rotation<Real> rotation;  ///< frame of body 2 → frame of body 1
   V3<Real> centre_2;
   Real length, inverse_length;  ///< L, of the order of the smaller body
+  Real share_1, share_2;        ///< L over each body's own size
 
   HWY_INLINE auto lift_1(const V3<Real>& point, const V3<Real>& normal) const { return surface_1.lift(point, normal); }
   HWY_INLINE auto lift_2(const V3<Real>& point, const V3<Real>& normal) const {
@@ -174,13 +175,14 @@ HWY_INLINE Touch<Real> advance(const Jet1& jet_1, const Jet2& jet_2, const Tange
           jet_2.point + length * lift(basis, step.move_2), jet_2.normal + lift(basis, step.turn_2)};
 }
 
-template <class Real>
-HWY_INLINE Real squared_size(const Step<Real>& step) {
-  return dot(step.turn_1, step.turn_1) + dot(step.turn_2, step.turn_2) + dot(step.move_1, step.move_1) +
-         dot(step.move_2, step.move_2);
+/// Turns in radians, moves over each body's own size.
+template <class Pair, class Real>
+HWY_INLINE Real squared_size(const Pair& pair, const Step<Real>& step) {
+  return dot(step.turn_1, step.turn_1) + dot(step.turn_2, step.turn_2) +
+         square(pair.share_1) * dot(step.move_1, step.move_1) + square(pair.share_2) * dot(step.move_2, step.move_2);
 }
 
-/// Cuts a step to this size (radians and lengths L together).
+/// Cuts a step to this size.
 template <class Real>
 HWY_INLINE void limit(Step<Real>& step, const Real& squared, const Real& longest) {
   if (!any(squared > longest * longest)) return;
@@ -209,6 +211,14 @@ struct Answer {
   MaskType<Real> converged;
 };
 
+template <class Real>
+HWY_INLINE Answer<Real> select(MaskType<Real> condition, const Answer<Real>& yes, const Answer<Real>& no) {
+  return {select(condition, yes.touch, no.touch),        select(condition, yes.basis, no.basis),
+          select(condition, yes.shape_1, no.shape_1),    select(condition, yes.shape_2, no.shape_2),
+          select(condition, yes.normal, no.normal),      select(condition, yes.overlap, no.overlap),
+          select(condition, yes.converged, no.converged)};
+}
+
 /// Newton's method on points and normals from a start that is near: the warm path, and the end of the cold one.
 /// A lane that has arrived stands still, so that its answer does not depend on its neighbours.
 template <class Pair, class Real = typename Pair::Number>
@@ -222,7 +232,7 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int m
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
     Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
-    const Real moved = squared_size(step);
+    const Real moved = squared_size(pair, step);
     const Real residual = dot(step.mismatch, step.mismatch) + dot(step.offset, step.offset);
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
@@ -256,12 +266,22 @@ HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
   return dot(pair.support_1(direction).point - pair.support_2(-direction).point, direction);
 }
 
+/// How hard to try.
+struct Effort {
+  int descents;          ///< most steps over directions
+  double near_step;      ///< a step of this size ends the descent: Newton's method on points and normals does the rest
+  double shortest_step;  ///< so does a failure to descend with steps of this size
+  int newtons;           ///< most Newton steps
+};
+constexpr Effort usual{16, 0.05, 1e-3, 10};
+constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
+
 /// From a unit direction down to the nearest minimum of the overlap. Every step that is kept lowers the overlap.
 /// The lifted candidate moves both points along their tangents and blends the normals found there: it crosses faces,
 /// where the direction alone is blind. The direct candidate turns the direction: it crosses rims, where the points are.
 /// `lifts` answers from a guess of the point, `supports` from the normal.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
-HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, int most_steps,
+HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, const Effort& effort,
                                Real& overlap) {
   const Real one(1.0);
   Real radius(longest_step);
@@ -269,10 +289,11 @@ HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<
   auto jet_2 = supports.support_2(-direction);
   overlap = dot(jet_1.point - jet_2.point, direction);
   MaskType<Real> done = !(overlap == overlap);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < effort.descents; ++i) {
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
     Step<Real> step = newton_step<Supports>(supports, jet_1, jet_2, basis);
-    limit(step, squared_size(step), radius);
+    const Real squared = squared_size(supports, step);
+    limit(step, squared, radius);
     const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, lifts.length);
     const V3<Real> normal_1 = lifts.lift_1(ahead.point_1, ahead.normal_1).normal;
     const V3<Real> normal_2 = lifts.lift_2(ahead.point_2, ahead.normal_2).normal;
@@ -292,14 +313,13 @@ HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<
       next_overlap = select(failed, dot(direct_1.point - direct_2.point, direct), next_overlap);
     }
     const MaskType<Real> better = (next_overlap < overlap) & !done;
-    const V3<Real> turned = next - direction;
-    const MaskType<Real> near = better & (dot(turned, turned) < Real(1e-4));
+    const MaskType<Real> near = better & (squared < Real(effort.near_step * effort.near_step));
     radius = select(better, radius, Real(0.25) * radius);
     direction = select(better, next, direction);
     overlap = select(better, next_overlap, overlap);
     jet_1 = select(better, next_1, jet_1);
     jet_2 = select(better, next_2, jet_2);
-    done = done | near | (radius < Real(1e-3));
+    done = done | near | (radius < Real(effort.shortest_step));
     if (all(done)) break;
   }
   return {jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};

@@ -118,13 +118,14 @@ struct Problem {
   Rotation<Real> frame;  ///< of the first body → world
   V3<Real> origin;
   SuperquadricNumbers<Real> body_1, body_2;
-  Rotation<Real> rotation;  ///< frame of the second body → frame of the first
-  V3<Real> centre_2;        ///< in the frame of the first
-  Real length;
+  Rotation<Real> rotation;      ///< frame of the second body → frame of the first
+  V3<Real> centre_2;            ///< in the frame of the first
+  Real size_1, size_2, length;  ///< largest half-axes, and the smaller of the two
 
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
-    return {Surface(body_1), Surface(body_2), rotation, centre_2, length, Real(1.0) / length};
+    return {Surface(body_1), Surface(body_2),    rotation,        centre_2,
+            length,          Real(1.0) / length, length / size_1, length / size_2};
   }
 };
 
@@ -138,6 +139,7 @@ HWY_INLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& 
   const Real w = one.w * two.w + dot(one.v, two.v);
   const V3<Real> v = one.w * two.v - two.w * one.v - cross(one.v, two.v);
   const auto largest = [](const V3<Real>& axes) { return max(max(axes.x, axes.y), axes.z); };
+  const Real size_1 = largest(one.half_axes), size_2 = largest(two.half_axes);
   return {swapped,
           frame,
           one.position,
@@ -145,7 +147,9 @@ HWY_INLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& 
           {two.half_axes, two.exponents.p, two.exponents.q},
           rotation_of(w, v),
           frame.apply_inverse(two.position - one.position),
-          min(largest(one.half_axes), largest(two.half_axes))};
+          size_1,
+          size_2,
+          min(size_1, size_2)};
 }
 
 template <class Real>
@@ -218,12 +222,12 @@ HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& a
   }
 }
 
-/// A direction in which the bodies do not overlap: a proof of separation, kept in the cache.
+/// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
-HWY_INLINE void write_separation(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
-                                 std::uint64_t wanted, ContactColumns& contacts, ContactCaches& caches,
-                                 const Rows& rows) {
-  const V3<Real> normal = problem.frame.apply(direction), zero{Real(0.0), Real(0.0), Real(0.0)};
+HWY_INLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
+                                ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
+                                ContactCaches& caches, const Rows& rows) {
+  const V3<Real> normal = problem.frame.apply(direction);
   auto& columns = contacts.columns;
   write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
   write(overlap, wanted, columns[3], rows);
@@ -232,8 +236,9 @@ HWY_INLINE void write_separation(const Problem<Real>& problem, const V3<Real>& d
   write3(select(problem.swapped, normal_b, direction), wanted, caches.columns, 3, rows);
   for (Index i = 0; i < rows.count; ++i) {
     if ((wanted >> i & 1U) == 0) continue;
-    contacts.statuses[rows.index[i]] = ContactStatus::separated;
-    caches.states[rows.index[i]] = ContactCache::State::separation;
+    contacts.statuses[rows.index[i]] = status;
+    caches.states[rows.index[i]] =
+        status == ContactStatus::separated ? ContactCache::State::separation : ContactCache::State::empty;
   }
 }
 
@@ -255,6 +260,16 @@ HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports
   return best;
 }
 
+/// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
+template <class Real>
+HWY_INLINE Real overlap_tolerance(const Problem<Real>& problem) {
+  return Real(1e-12) * problem.length + Real(1e-14) * (problem.size_1 + problem.size_2 + norm(problem.centre_2));
+}
+
+inline std::uint64_t used_lanes(const Rows& rows) {
+  return (std::uint64_t{1} << rows.count) - 1;
+}
+
 /// Rows whose bit is not set go on the list.
 inline void collect(std::vector<Index>& list, std::uint64_t solved, const Rows& rows) {
   for (Index i = 0; i < rows.count; ++i)
@@ -268,63 +283,150 @@ void solve_warm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCo
     const Rows rows = rows_from<Real>(list, start);
     const auto problem = problem_of<Real>(pairs, rows);
     const Answer<Real> answer = polish(problem.template as<Lift>(), read_touch<Real>(caches, problem, rows), 8);
-    const std::uint64_t used = (std::uint64_t{1} << rows.count) - 1;
+    const std::uint64_t used = used_lanes(rows);
     const std::uint64_t converged = bits(answer.converged) & used;
     write_answer(problem, answer, converged, contacts, caches, rows);
     if (converged != used) collect(unsolved, converged, rows);
   }
 }
 
+/// Pairs whose cache holds a direction: one evaluation proves most of them still separated.
+template <class Real, class Support>
+void check_separation(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+                      const std::vector<Index>& list, std::vector<Index>& unsolved) {
+  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
+    const Rows rows = rows_from<Real>(list, start);
+    const auto problem = problem_of<Real>(pairs, rows);
+    const V3<Real> direction_1 = read3<Real>(caches.columns, 3, rows);
+    const V3<Real> direction = select(problem.swapped, -problem.rotation.apply(direction_1), direction_1);
+    const Real overlap = overlap_along(problem.template as<Support>(), direction);
+    const std::uint64_t used = used_lanes(rows), apart = bits(overlap < Real(0.0)) & used;
+    write_direction(problem, direction, overlap, ContactStatus::separated, apart, contacts, caches, rows);
+    if (apart != used) collect(unsolved, apart, rows);
+  }
+}
+
 template <class Real, class Lift, class Support>
-void solve_cold(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+void solve_cold(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
                 const std::vector<Index>& list, std::vector<Index>& unsolved) {
   for (Index start = 0; start < list.size(); start += lanes<Real>()) {
     const Rows rows = rows_from<Real>(list, start);
     const auto problem = problem_of<Real>(pairs, rows);
     const auto lifts = problem.template as<Lift>();
     const auto supports = problem.template as<Support>();
+    const std::uint64_t used = used_lanes(rows);
+    std::uint64_t solved = 0;
     Real least(0.0);
-    const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), 16, least);
-    const Answer<Real> answer = polish(lifts, touch, 10);
-    const std::uint64_t used = (std::uint64_t{1} << rows.count) - 1;
-    const auto good = answer.converged & (answer.overlap <= least + Real(1e-12) * problem.length);
-    const std::uint64_t converged = bits(good) & used;
-    write_answer(problem, answer, converged, contacts, caches, rows);
-    if (converged != used) collect(unsolved, converged, rows);
+    const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), usual, least);
+    if (gap == Gap::skip) {
+      solved = bits(least < Real(0.0)) & used;
+      write_direction(problem, touch.normal_1, least, ContactStatus::separated, solved, contacts, caches, rows);
+    }
+    if (solved != used) {
+      const Answer<Real> answer = polish(lifts, touch, usual.newtons);
+      const auto good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem));
+      const std::uint64_t converged = bits(good) & used & ~solved;
+      write_answer(problem, answer, converged, contacts, caches, rows);
+      solved |= converged;
+    }
+    if (solved != used) collect(unsolved, solved, rows);
   }
 }
 
-/// Even exponents, n1 a multiple of n2.
-inline bool is_even(double n1, double n2) {
+/// The axes of both bodies, both ways: where the usual start fails.
+template <class Real>
+HWY_INLINE V3<Real> axis_direction(const Problem<Real>& problem, int k) {
+  const Real zero(0.0), side(k % 2 == 0 ? 1.0 : -1.0);
+  const int axis = k / 2 % 3;
+  const V3<Real> unit{axis == 0 ? side : zero, axis == 1 ? side : zero, axis == 2 ? side : zero};
+  return k < 6 ? unit : problem.rotation.apply(unit);
+}
+
+/// The few pairs that are left: from many starts and with patience. The deepest minimum of those found is the answer.
+template <class Real>
+void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+                const std::vector<Index>& list) {
+  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
+    const Rows rows = rows_from<Real>(list, start);
+    const auto problem = problem_of<Real>(pairs, rows);
+    const auto lifts = problem.template as<MixedSurface<Real>>();
+    const auto supports = problem.template as<SupportSurface<SharpJet<Real>, Real, RealPower>>();
+    const std::uint64_t used = used_lanes(rows);
+    V3<Real> best_direction = first_direction(lifts, supports);
+    Real least = overlap_along(supports, best_direction);
+    Answer<Real> best;
+    for (int k = -1; k < 12; ++k) {
+      Real lowest(0.0);
+      const Touch<Real> touch =
+          descend(lifts, supports, k < 0 ? best_direction : axis_direction(problem, k), stubborn, lowest);
+      const Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
+      const auto good = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem));
+      best_direction = select(lowest < least, touch.normal_1, best_direction);
+      least = min(least, lowest);
+      if (k < 0) {
+        best = answer;
+        best.converged = good;
+      } else {
+        best = select(good & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
+      }
+    }
+    const auto found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
+    const std::uint64_t converged = bits(found) & used;
+    write_answer(problem, best, converged, contacts, caches, rows);
+    const std::uint64_t finite = bits(least == least) & used & ~converged;
+    write_direction(problem, best_direction, least, ContactStatus::not_converged, finite, contacts, caches, rows);
+    const Real zero(0.0);
+    write_direction(problem, V3<Real>{zero, zero, zero}, zero, ContactStatus::degenerate, used & ~converged & ~finite,
+                    contacts, caches, rows);
+  }
+}
+
+/// What the exponents of a pair allow.
+enum Exponents : int { all_two, all_blunt, some_sharp };
+
+inline Exponents exponents_of(const SuperquadricPairs& pairs, Index i) {
+  const double n[] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
+  if (n[0] == 2.0 && n[1] == 2.0 && n[2] == 2.0 && n[3] == 2.0) return all_two;
+  return std::min(std::min(n[0], n[1]), std::min(n[2], n[3])) >= 2.0 ? all_blunt : some_sharp;
+}
+
+/// Even exponents, n1 a multiple of n2, in both bodies.
+inline bool is_even(const SuperquadricPairs& pairs, Index i) {
   const auto whole = [](double x) { return x == std::floor(x); };
-  return whole(0.5 * n2) && whole(n1 / n2);
+  const auto even = [&](double n1, double n2) { return whole(0.5 * n2) && whole(n1 / n2); };
+  return even(pairs.columns[3][i], pairs.columns[4][i]) && even(pairs.columns[15][i], pairs.columns[16][i]);
 }
 
 template <class Real>
-void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap) {
-  using Ellipsoids = GaugeSurface<Real, SquarePower>;
+void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  using Ellipsoid = GaugeSurface<Real, SquarePower>;
   using Blunt = GaugeSurface<Real, RealPower>;
-  using Mixed = MixedSurface<Real>;
-  std::vector<Index> warm_even, warm_blunt, warm_mixed, cold_ellipsoids, cold_blunt, cold_mixed, hard;
+  using Sharp = MixedSurface<Real>;
+  using EllipsoidSupport = SupportSurface<BluntJet<Real>, Real, SquarePower>;
+  using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
+  using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
+
+  std::vector<Index> warm_even, warm[3], apart[3], unsolved, cold[3], hard;
   for (Index i = 0; i < pairs.size(); ++i) {
-    const double n1_1 = pairs.columns[3][i], n2_1 = pairs.columns[4][i];
-    const double n1_2 = pairs.columns[15][i], n2_2 = pairs.columns[16][i];
-    const bool square = n1_1 == 2.0 && n2_1 == 2.0 && n1_2 == 2.0 && n2_2 == 2.0;
-    const bool blunt = std::min(std::min(n1_1, n2_1), std::min(n1_2, n2_2)) >= 2.0;
-    const bool even = square || (is_even(n1_1, n2_1) && is_even(n1_2, n2_2));
+    const Exponents exponents = exponents_of(pairs, i);
     if (caches.states[i] == ContactCache::State::contact)
-      (even ? warm_even : blunt ? warm_blunt : warm_mixed).push_back(i);
+      (exponents != some_sharp && is_even(pairs, i) ? warm_even : warm[exponents]).push_back(i);
+    else if (caches.states[i] == ContactCache::State::separation && gap == Gap::skip)
+      apart[exponents].push_back(i);
     else
-      (square ? cold_ellipsoids : blunt ? cold_blunt : cold_mixed).push_back(i);
+      cold[exponents].push_back(i);
   }
-  solve_warm<Real, EvenSurface<Real>>(pairs, caches, contacts, warm_even, cold_blunt);
-  solve_warm<Real, Blunt>(pairs, caches, contacts, warm_blunt, cold_blunt);
-  solve_warm<Real, Mixed>(pairs, caches, contacts, warm_mixed, cold_mixed);
-  solve_cold<Real, Ellipsoids, SupportSurface<BluntJet<Real>, Real, SquarePower>>(pairs, caches, contacts,
-                                                                                  cold_ellipsoids, hard);
-  solve_cold<Real, Blunt, SupportSurface<BluntJet<Real>, Real, RealPower>>(pairs, caches, contacts, cold_blunt, hard);
-  solve_cold<Real, Mixed, SupportSurface<SharpJet<Real>, Real, RealPower>>(pairs, caches, contacts, cold_mixed, hard);
-  for (Index i : hard) contacts.statuses[i] = ContactStatus::not_converged;
+  solve_warm<Real, EvenSurface<Real>>(pairs, caches, contacts, warm_even, unsolved);
+  solve_warm<Real, Blunt>(pairs, caches, contacts, warm[all_blunt], unsolved);
+  solve_warm<Real, Sharp>(pairs, caches, contacts, warm[some_sharp], unsolved);
+  check_separation<Real, EllipsoidSupport>(pairs, caches, contacts, apart[all_two], unsolved);
+  check_separation<Real, BluntSupport>(pairs, caches, contacts, apart[all_blunt], unsolved);
+  check_separation<Real, SharpSupport>(pairs, caches, contacts, apart[some_sharp], unsolved);
+  for (Index i : unsolved) cold[exponents_of(pairs, i)].push_back(i);
+  solve_cold<Real, Ellipsoid, EllipsoidSupport>(pairs, caches, contacts, gap, cold[all_two], hard);
+  solve_cold<Real, Blunt, BluntSupport>(pairs, caches, contacts, gap, cold[all_blunt], hard);
+  solve_cold<Real, Sharp, SharpSupport>(pairs, caches, contacts, gap, cold[some_sharp], hard);
+  solve_hard<Real>(pairs, caches, contacts, hard);
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {

@@ -38,7 +38,7 @@ struct SquarePower {
   }
 };
 
-/// v = (p^e + q^e)^(1/e) for p, q > 0, with everything the nested norm needs of it.
+/// v = (p^e + q^e)^(1/e) for p, q ≥ 0, with everything the nested norm needs of it.
 /// hat: (p, q)/v. slope: ∂v/∂(p, q) = hat^(e−1). The Hessian is bend/v · (hat_q, −hat_p)(hat_q, −hat_p)ᵀ.
 /// Duality exchanges hat with slope and bend with 1/bend.
 template <class Real>
@@ -46,36 +46,43 @@ struct PairNorm {
   Real value;
   V2<Real> hat, slope;
   Real bend;
+  Real slope_over_hat;  ///< of p, finite where both are zero
 };
 
+/// In powers a ratio below this counts as this: they stay finite, and so do bends.
+constexpr double smallest_ratio = 1e-60;
 /// A bend below this counts as this: radii of curvature reach 1e100 body sizes on a flat face instead of ∞.
 constexpr double smallest_bend = 1e-100;
 
-/// The largest term is factored out, so that no power overflows for any exponent.
+/// The largest term is factored out, so that no power overflows for any exponent. A pair of zeros counts as (1, 0).
 template <class Power, class Real>
 HWY_INLINE PairNorm<Real> pair_norm(const Real& p, const Real& q, const Real& e) {
   const MaskType<Real> p_is_larger = p >= q;
-  const Real larger = max(p, q), r = min(p, q) / larger;
-  const Real w = Power::power(r, e - Real(2.0));
+  const Real larger = max(p, q), r = min(p, q) / max(larger, Real(1e-300));
+  const Real w = Power::power(max(r, Real(smallest_ratio)), e - Real(2.0));
   const Real sum = fma(w * r, r, Real(1.0));
   const Real root = Power::root(sum, e);
   const Real hat_larger = Real(1.0) / root, hat_smaller = r * hat_larger;
   const Real slope_larger = root / sum, slope_smaller = slope_larger * (w * r);
+  const Real steep = slope_larger * root;
   return {larger * root,
           {select(p_is_larger, hat_larger, hat_smaller), select(p_is_larger, hat_smaller, hat_larger)},
           {select(p_is_larger, slope_larger, slope_smaller), select(p_is_larger, slope_smaller, slope_larger)},
-          (e - Real(1.0)) * w * square(slope_larger * root)};
+          (e - Real(1.0)) * w * square(steep),
+          select(p_is_larger, steep, w * steep)};
 }
 
 /// The pair norm seen from its other side.
 template <class Real>
 HWY_INLINE PairNorm<Real> dual(const PairNorm<Real>& jet) {
-  return {jet.value, jet.slope, jet.hat, Real(1.0) / max(jet.bend, Real(smallest_bend))};
+  const Real one(1.0), smallest(smallest_bend);
+  return {jet.value, jet.slope, jet.hat, one / max(jet.bend, smallest), one / max(jet.slope_over_hat, smallest)};
 }
 template <class Real>
 HWY_INLINE PairNorm<Real> select(MaskType<Real> condition, const PairNorm<Real>& yes, const PairNorm<Real>& no) {
   return {select(condition, yes.value, no.value), select(condition, yes.hat, no.hat),
-          select(condition, yes.slope, no.slope), select(condition, yes.bend, no.bend)};
+          select(condition, yes.slope, no.slope), select(condition, yes.bend, no.bend),
+          select(condition, yes.slope_over_hat, no.slope_over_hat)};
 }
 
 /// A superquadric's numbers, and those of its dual.
@@ -103,18 +110,9 @@ struct NestedJet {
   V3<Real> sign;
 };
 
-/// A coordinate of exactly zero counts as this fraction of the largest one, so that every ratio stays positive.
-constexpr double smallest_ratio = 1e-60;
-
-template <class Real>
-HWY_INLINE V3<Real> away_from_zero(const V3<Real>& c) {
-  const Real smallest = Real(smallest_ratio) * max(max(c.x, c.y), c.z);
-  return {max(c.x, smallest), max(c.y, smallest), max(c.z, smallest)};
-}
-
 template <class Power, class Real>
 HWY_INLINE NestedJet<Real> evaluate(const NestedNorm<Real>& norm, const V3<Real>& x) {
-  const V3<Real> y = away_from_zero(times(absolute(x), norm.scale));
+  const V3<Real> y = times(absolute(x), norm.scale);
   NestedJet<Real> jet;
   jet.inner = pair_norm<Power>(y.x, y.y, norm.e2);
   jet.outer = pair_norm<Power>(jet.inner.value, y.z, norm.e1);
@@ -131,7 +129,7 @@ template <class Real>
 HWY_INLINE RankTwo<Real> unit_hessian(const NestedJet<Real>& jet, const V3<Real>& scale) {
   const V3<Real> s{jet.sign.x * scale.x, jet.sign.y * scale.y, jet.sign.z * scale.z};
   return {
-      jet.outer.slope.p * jet.inner.bend / jet.outer.hat.p,
+      jet.inner.bend * jet.outer.slope_over_hat,
       jet.outer.bend,
       {jet.inner.hat.q * s.x, -jet.inner.hat.p * s.y, Real(0.0)},
       {jet.outer.hat.q * jet.inner.slope.p * s.x, jet.outer.hat.q * jet.inner.slope.q * s.y, -jet.outer.hat.p * s.z}};
@@ -143,7 +141,7 @@ template <class Real>
 HWY_INLINE RankTwo<Real> unit_hessian_of_dual(const NestedJet<Real>& jet, const V3<Real>& scale) {
   const V3<Real> s{jet.sign.x / scale.x, jet.sign.y / scale.y, jet.sign.z / scale.z};
   return {
-      jet.outer.hat.p / (jet.inner.bend * jet.outer.slope.p),
+      Real(1.0) / (jet.inner.bend * jet.outer.slope_over_hat),
       Real(1.0) / jet.outer.bend,
       {jet.inner.slope.q * s.x, -jet.inner.slope.p * s.y, Real(0.0)},
       {jet.outer.slope.q * jet.inner.hat.p * s.x, jet.outer.slope.q * jet.inner.hat.q * s.y, -jet.outer.slope.p * s.z}};

@@ -23,8 +23,8 @@ struct SuperquadricNumbers {
   Real n1, n2;
 };
 
-/// How the normal turns as the point moves, when curvatures are bounded: n ≥ 2 and everything that is not a superquadric.
-/// The tangent-plane part of the matrix is the shape operator.
+/// How the normal turns as the point moves, when curvatures are bounded: n ≥ 2 and everything that is not a
+/// superquadric. The tangent-plane part of the matrix is the shape operator.
 template <class Real>
 struct BluntJet {
   V3<Real> point, normal;
@@ -70,11 +70,12 @@ HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, 
   const V3<Real> gradient{outer.slope.p * inner.slope.p * i.x, outer.slope.p * inner.slope.q * i.y,
                           outer.slope.q * i.z};
   const Real steepness = norm(gradient), flatness = Real(1.0) / steepness;
-  const Real weight_a = inner.bend * outer.slope.p / outer.hat.p, weight_b = outer.bend;
+  const Real weight_a = inner.bend * outer.slope_over_hat, weight_b = outer.bend;
   Jet jet;
   jet.point = {outer.hat.p * inner.hat.p * s.x, outer.hat.p * inner.hat.q * s.y, outer.hat.q * s.z};
   jet.normal = flatness * gradient;
-  jet.curvature = {weight_a * flatness, weight_b * flatness,
+  jet.curvature = {weight_a * flatness,
+                   weight_b * flatness,
                    {inner.hat.q * i.x, -inner.hat.p * i.y, Real(0.0)},
                    {outer.hat.q * inner.slope.p * i.x, outer.hat.q * inner.slope.q * i.y, -outer.hat.p * i.z}};
   if constexpr (requires { jet.point_a; }) {
@@ -130,32 +131,41 @@ class MixedSurface {
   using Jet = SharpJet<Real>;
 
   HWY_INLINE explicit MixedSurface(const SuperquadricNumbers<Real>& body)
-      : half_axes_(body.half_axes), inverse_axes_(inverse(body.half_axes)),
-        inner_is_dual_(body.n2 < Real(2.0)), outer_is_dual_(body.n1 < Real(2.0)) {
-    const Real one(1.0);
-    inner_exponent_ = select(inner_is_dual_, body.n2 / (body.n2 - one), body.n2);
-    outer_exponent_ = select(outer_is_dual_, body.n1 / (body.n1 - one), body.n1);
-  }
+      : half_axes_(body.half_axes),
+        inverse_axes_(inverse(body.half_axes)),
+        outer_is_dual_(body.n1 < Real(2.0)),
+        inner_exponent_(body.n2),
+        inner_dual_(dual_exponent(body.n2)),
+        outer_exponent_(select(outer_is_dual_, dual_exponent(body.n1), body.n1)),
+        inner_bias_(select(body.n2 < Real(2.0), Real(1.0 / bias), Real(bias))) {}
 
   HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>& normal) const {
-    const auto &i = inner_is_dual_, &o = outer_is_dual_;
-    const V3<Real> c = away_from_zero(times(absolute(point), inverse_axes_));
-    const V3<Real> m = away_from_zero(times(absolute(normal), half_axes_));
-    const PairNorm<Real> inner_seen = pair_norm<RealPower>(select(i, m.x, c.x), select(i, m.y, c.y), inner_exponent_);
+    const V3<Real> c = times(absolute(point), inverse_axes_), m = times(absolute(normal), half_axes_);
+    // Near a sharp tip the normals know the direction in the x–y plane, near a flat pole the points.
+    const MaskType<Real> i =
+        max(m.x, m.y) * max(max(c.x, c.y), c.z) > inner_bias_ * (max(c.x, c.y) * max(max(m.x, m.y), m.z));
+    const MaskType<Real>& o = outer_is_dual_;
+    const PairNorm<Real> inner_seen =
+        pair_norm<RealPower>(select(i, m.x, c.x), select(i, m.y, c.y), select(i, inner_dual_, inner_exponent_));
     const PairNorm<Real> inner = select(i, dual(inner_seen), inner_seen);
     // By homogeneity a pair's value is its gradient times its coordinates, whichever side the gradient came from.
     const Real rho = select(o, dot(inner.hat, V2<Real>{m.x, m.y}), dot(inner.slope, V2<Real>{c.x, c.y}));
     const PairNorm<Real> outer_seen = pair_norm<RealPower>(rho, select(o, m.z, c.z), outer_exponent_);
     const PairNorm<Real> outer = select(o, dual(outer_seen), outer_seen);
-    const V3<Real> sign = sign_of(
-        V3<Real>{select(i, normal.x, point.x), select(i, normal.y, point.y), select(o, normal.z, point.z)});
+    const V3<Real> sign =
+        sign_of(V3<Real>{select(i, normal.x, point.x), select(i, normal.y, point.y), select(o, normal.z, point.z)});
     return jet_of<Jet>(inner, outer, sign, half_axes_, inverse_axes_);
   }
 
  private:
+  /// How much better the other side must know the inner direction before it is asked.
+  static constexpr double bias = 100.0;
+
+  static HWY_INLINE Real dual_exponent(const Real& n) { return n / (n - Real(1.0)); }
+
   V3<Real> half_axes_, inverse_axes_;
-  MaskType<Real> inner_is_dual_, outer_is_dual_;
-  Real inner_exponent_, outer_exponent_;
+  MaskType<Real> outer_is_dual_;
+  Real inner_exponent_, inner_dual_, outer_exponent_, inner_bias_;
 };
 
 /// Shape operator: diagonal + mixed · across acrossᵀ, projected.
@@ -179,9 +189,14 @@ class EvenSurface {
   using Jet = EvenJet<Real>;
 
   HWY_INLINE explicit EvenSurface(const SuperquadricNumbers<Real>& body)
-      : inverse_axes_(inverse(body.half_axes)), n1_(body.n1), n2_(body.n2), inverse_n1_(Real(1.0) / body.n1),
-        inner_(Real(0.5) * body.n2 - Real(1.0)), outer_(Real(0.5) * body.n1 - Real(1.0)),
-        nested_(body.n1 > body.n2), multiple_(max(body.n1 / body.n2 - Real(2.0), Real(0.0))) {}
+      : inverse_axes_(inverse(body.half_axes)),
+        n1_(body.n1),
+        n2_(body.n2),
+        inverse_n1_(Real(1.0) / body.n1),
+        inner_(Real(0.5) * body.n2 - Real(1.0)),
+        outer_(Real(0.5) * body.n1 - Real(1.0)),
+        nested_(body.n1 > body.n2),
+        multiple_(max(body.n1 / body.n2 - Real(2.0), Real(0.0))) {}
 
   HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
     const Real one(1.0), zero(0.0);
