@@ -1,6 +1,6 @@
 #pragma once
 // Analytic principal curvatures against a witness that knows nothing of gauges or Hessians: CGAL's Monge form, a
-// polynomial fitted to points of the surface (F. Cazals, M. Pouget, 2005). GPL: see CMakeLists.txt.
+// polynomial fitted to points of the surface [CP05]. GPL: see CMakeLists.txt.
 
 #include <optional>
 #include <string>
