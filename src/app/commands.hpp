@@ -4,4 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-namespace osculate::app {}  // namespace osculate::app
+namespace osculate::app {
+
+void add_validate(CLI::App& program);
+
+}  // namespace osculate::app
