@@ -4,4 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
-namespace osculate::app {}  // namespace osculate::app
+namespace osculate::app {
+
+/// `contact`: one contact in full, or a table of pairs.
+void add_contact(CLI::App& program);
+
+/// `bench`: what a contact costs on this machine.
+void add_bench(CLI::App& program);
+
+}  // namespace osculate::app
