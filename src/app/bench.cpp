@@ -19,7 +19,7 @@ the median of the repetitions ± half the distance between their quartiles.
   warm       from the last answer, after a pose change of 1e-4
   cold       from nothing
   separated  a gap of 1 % R_vol, with the separating direction cached
-  GJK/EPA    libccd on the same support functions at its default tolerance: one scalar contact without curvature
+  GJK/EPA    libccd on the same support functions: one scalar contact without curvature, its depth good to a few per cent
 Example:
   osculate bench narrow --json > narrow.json)";
 
@@ -137,6 +137,9 @@ void add_bench(CLI::App& program) {
   narrow->add_option("--pairs", options->narrow.pairs, "Pairs a class")->check(CLI::Range(16, 1000000))->capture_default_str();
   narrow->add_option("--repetitions", options->narrow.repetitions, "Timed repetitions")
       ->check(CLI::Range(3, 100000))
+      ->capture_default_str();
+  narrow->add_option("--epa-tolerance", options->narrow.epa_tolerance, "When libccd's EPA stops, in squared lengths of R_vol")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   narrow->callback([options] { bench_narrow(*options); });
 }

@@ -22,11 +22,12 @@ PlacedBody place(const Superquadric& shape, const Pose& pose) {
   return {.shape = shape, .position = pose.position, .body_to_world = pose.orientation.toRotationMatrix()};
 }
 
-std::optional<double> ccd_penetration(const PlacedBody& body_1, const PlacedBody& body_2) {
+std::optional<double> ccd_penetration(const PlacedBody& body_1, const PlacedBody& body_2, double tolerance) {
   ccd_t settings;
   CCD_INIT(&settings);
   settings.support1 = support;
   settings.support2 = support;
+  settings.epa_tolerance = tolerance;
   settings.max_iterations = iteration_limit;
   ccd_real_t depth = 0.0;
   ccd_vec3_t direction;

@@ -17,8 +17,8 @@ struct PlacedBody {
 
 PlacedBody place(const Superquadric& shape, const Pose& pose);
 
-/// Depth [m] by ccdGJKPenetration at libccd's own tolerance (CCD_INIT: 1e-4 m, so use bodies of about 1 m); nothing
-/// when it finds the bodies apart or gives up.
-std::optional<double> ccd_penetration(const PlacedBody& body_1, const PlacedBody& body_2);
+/// Depth [m] by ccdGJKPenetration; nothing when it finds the bodies apart or gives up.
+/// `tolerance` stops EPA; libccd holds it against squared lengths [m²], its own default is 1e-4.
+std::optional<double> ccd_penetration(const PlacedBody& body_1, const PlacedBody& body_2, double tolerance);
 
 }  // namespace osculate::app

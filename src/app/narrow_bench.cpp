@@ -141,7 +141,8 @@ void time_ccd(const std::vector<RandomPair>& pairs, const NarrowSettings& settin
   times.ccd = time_of(
       bodies.size(), std::max(3, settings.repetitions / fewer), [] {},
       [&] {
-        for (std::size_t i = 0; i < bodies.size(); ++i) depths[i] = ccd_penetration(bodies[i].first, bodies[i].second);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+          depths[i] = ccd_penetration(bodies[i].first, bodies[i].second, settings.epa_tolerance);
       });
   std::vector<double> errors;
   for (const std::optional<double>& depth : depths) {

@@ -24,6 +24,7 @@ struct NarrowSettings {
   int repetitions = 31;
   double overlap = 0.01;      ///< / R_vol
   double pose_change = 1e-4;  ///< [rad] and / R_vol between two warm calls
+  double epa_tolerance = 1e-6;  ///< of libccd's EPA [m²]
   unsigned seed = 1;
 };
 

@@ -1,6 +1,6 @@
 #include "io/pair_table.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -137,16 +137,15 @@ void PairTableReader::read_header() {
   }
   has_class_ = seen[class_column];
 
-  std::string missing;
-  const std::size_t needed = with_reference_ ? class_column : first_reference;
-  for (std::size_t meaning = 0; meaning < needed; ++meaning)
-    if (!seen[meaning]) missing += (missing.empty() ? "" : ", ") + std::string(name_of(meaning));
-  if (!missing.empty()) {
-    std::string expected = "the columns";
-    for (std::size_t meaning = 0; meaning < needed; ++meaning)
-      expected += (meaning == 0 ? " " : ",") + std::string(name_of(meaning));
-    throw InputError(path_ + ":1", "missing column " + missing, expected + " in any order");
+  std::vector<std::string_view> needed;
+  std::vector<std::string_view> missing;
+  for (std::size_t meaning = 0; meaning < (with_reference_ ? class_column : first_reference); ++meaning) {
+    needed.push_back(name_of(meaning));
+    if (!seen[meaning]) missing.push_back(name_of(meaning));
   }
+  if (!missing.empty())
+    throw InputError(path_ + ":1", fmt::format("missing column {}", fmt::join(missing, ", ")),
+                     fmt::format("the columns {} in any order", fmt::join(needed, ",")));
 }
 
 bool PairTableReader::read(PairBlock& block, std::size_t count) {
