@@ -84,6 +84,11 @@ struct TangentBasis {
   HWY_INLINE V3<Real> lift(const Real& p, const Real& q) const { return p * e1 + q * e2; }
 };
 template <class Real>
+HWY_INLINE TangentBasis<Real> select(MaskType<Real> condition, const TangentBasis<Real>& yes,
+                                     const TangentBasis<Real>& no) {
+  return {select(condition, yes.e1, no.e1), select(condition, yes.e2, no.e2)};
+}
+template <class Real>
 HWY_INLINE TangentBasis<Real> tangent_basis(const V3<Real>& n) {
   const Real sign = copysign(Real(1.0), n.z);
   const Real a = Real(-1.0) / (sign + n.z);
@@ -139,6 +144,86 @@ HWY_INLINE Sym2<Real> select(MaskType<Real> condition, const Sym2<Real>& yes, co
 template <class Real>
 HWY_INLINE V2<Real> coordinates(const TangentBasis<Real>& basis, const V3<Real>& v) {
   return {dot(basis.e1, v), dot(basis.e2, v)};
+}
+
+/// Eigenvalues max ≥ min of a symmetric matrix and the unit eigenvector of `max`; (1, 0) where any direction serves.
+/// The determinant is passed in, because its maker often knows it without cancellation: min = determinant/max.
+template <class Real>
+struct Eigen2 {
+  Real max, min;
+  V2<Real> direction;
+};
+template <class Real>
+HWY_INLINE Eigen2<Real> eigen(const Sym2<Real>& m, const Real& determinant) {
+  const Real half(0.5), zero(0.0), one(1.0), tiny(1e-300);
+  const Real mean = half * (m.pp + m.qq), difference = half * (m.pp - m.qq);
+  const Real radius = sqrt(fma(difference, difference, m.pq * m.pq));
+  const Real max_value = abs(mean) + radius;
+  const Real other = determinant / select(max_value > tiny, max_value, one);
+  // The eigenvector from the larger of the two equivalent forms: (radius + |difference|, pq) up to an exchange.
+  const Real long_side = radius + abs(difference),
+             inverse = one / sqrt(max(fma(long_side, long_side, m.pq * m.pq), tiny));
+  const Real major = long_side * inverse, minor = m.pq * inverse;
+  const MaskType<Real> p_first = difference >= zero, round = radius <= tiny;
+  const V2<Real> direction = select(p_first, V2<Real>{major, minor}, V2<Real>{minor, major});
+  const MaskType<Real> positive = mean >= zero;
+  return {select(positive, max_value, other), select(positive, other, -max_value),
+          select(round, V2<Real>{one, zero}, direction)};
+}
+template <class Real>
+HWY_INLINE Eigen2<Real> select(MaskType<Real> condition, const Eigen2<Real>& yes, const Eigen2<Real>& no) {
+  return {select(condition, yes.max, no.max), select(condition, yes.min, no.min),
+          select(condition, yes.direction, no.direction)};
+}
+
+/// General 2×2 matrix by its columns.
+template <class Real>
+struct Mat2 {
+  V2<Real> column_1, column_2;
+};
+template <class Real>
+HWY_INLINE V2<Real> operator*(const Mat2<Real>& m, const V2<Real>& v) {
+  return {fma(m.column_1.p, v.p, m.column_2.p * v.q), fma(m.column_1.q, v.p, m.column_2.q * v.q)};
+}
+template <class Real>
+HWY_INLINE Mat2<Real> operator*(const Mat2<Real>& m, const Mat2<Real>& n) {
+  return {m * n.column_1, m * n.column_2};
+}
+template <class Real>
+HWY_INLINE Mat2<Real> operator+(const Mat2<Real>& m, const Mat2<Real>& n) {
+  return {m.column_1 + n.column_1, m.column_2 + n.column_2};
+}
+template <class Real>
+HWY_INLINE Mat2<Real> operator*(const Real& s, const Mat2<Real>& m) {
+  return {s * m.column_1, s * m.column_2};
+}
+template <class Real>
+HWY_INLINE Real determinant(const Mat2<Real>& m) {
+  return fma(m.column_1.p, m.column_2.q, -(m.column_2.p * m.column_1.q));
+}
+template <class Real>
+HWY_INLINE Real trace(const Mat2<Real>& m) {
+  return m.column_1.p + m.column_2.q;
+}
+/// The matrix that gives the inverse when divided by the determinant.
+template <class Real>
+HWY_INLINE Mat2<Real> adjugate(const Mat2<Real>& m) {
+  return {{m.column_2.q, -m.column_1.q}, {-m.column_2.p, m.column_1.p}};
+}
+
+/// A symmetric matrix of rank two: weight_a a aᵀ + weight_b b bᵀ.
+template <class Real>
+struct RankTwo {
+  Real weight_a, weight_b;
+  V3<Real> a, b;
+};
+
+/// Projection on a tangent plane.
+template <class Real>
+HWY_INLINE Sym2<Real> project(const RankTwo<Real>& m, const TangentBasis<Real>& basis) {
+  const V2<Real> a = coordinates(basis, m.a), b = coordinates(basis, m.b);
+  const V2<Real> wa = m.weight_a * a, wb = m.weight_b * b;
+  return {fma(wa.p, a.p, wb.p * b.p), fma(wa.p, a.q, wb.p * b.q), fma(wa.q, a.q, wb.q * b.q)};
 }
 
 }  // namespace HWY_NAMESPACE

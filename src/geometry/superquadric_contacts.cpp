@@ -1,0 +1,393 @@
+#include "osculate/geometry/superquadric_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/superquadric_contacts.cpp"
+#include <hwy/foreach_target.h>
+// The target list above comes first.
+#include "geometry/superquadric_pair-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace osculate {
+namespace HWY_NAMESPACE {
+
+using Index = std::size_t;
+
+/// Up to one batch of pairs, by their rows.
+struct Rows {
+  const Index* index;
+  Index count;
+  bool consecutive;
+};
+
+template <class Real>
+Rows rows_from(const std::vector<Index>& list, Index start) {
+  const Index count = std::min(lanes<Real>(), list.size() - start);
+  const Index* index = list.data() + start;
+  return {index, count, index[count - 1] - index[0] == count - 1};
+}
+
+template <class Real>
+HWY_INLINE Real read(const double* column, const Rows& rows) {
+  if (rows.consecutive) return load<Real>(column + rows.index[0], rows.count);
+  HWY_ALIGN double gathered[lanes<Real>()];
+  for (Index i = 0; i < rows.count; ++i) gathered[i] = column[rows.index[i]];
+  return load<Real>(gathered, rows.count);
+}
+
+/// Writes the lanes whose bit is set.
+template <class Real>
+HWY_INLINE void write(const Real& value, std::uint64_t wanted, double* column, const Rows& rows) {
+  if (rows.consecutive && wanted + 1 == std::uint64_t{1} << rows.count)
+    return store(value, column + rows.index[0], rows.count);
+  HWY_ALIGN double values[lanes<Real>()];
+  store(value, values, lanes<Real>());
+  for (Index i = 0; i < rows.count; ++i)
+    if ((wanted >> i & 1U) != 0) column[rows.index[i]] = values[i];
+}
+
+/// Columns first … of a table, three of them a vector.
+template <class Real, std::size_t N>
+HWY_INLINE V3<Real> read3(const Columns<N>& columns, std::size_t first, const Rows& rows) {
+  return {read<Real>(columns[first], rows), read<Real>(columns[first + 1], rows), read<Real>(columns[first + 2], rows)};
+}
+template <class Real, std::size_t N>
+HWY_INLINE void write3(const V3<Real>& v, std::uint64_t wanted, Columns<N>& columns, std::size_t first,
+                       const Rows& rows) {
+  write(v.x, wanted, columns[first], rows);
+  write(v.y, wanted, columns[first + 1], rows);
+  write(v.z, wanted, columns[first + 2], rows);
+}
+
+template <class Real>
+struct Body {
+  V3<Real> half_axes;
+  V2<Real> exponents;
+  V3<Real> position;
+  Real w;
+  V3<Real> v;  ///< vector part of the quaternion
+};
+template <class Real>
+HWY_INLINE Body<Real> select(MaskType<Real> condition, const Body<Real>& yes, const Body<Real>& no) {
+  return {select(condition, yes.half_axes, no.half_axes), select(condition, yes.exponents, no.exponents),
+          select(condition, yes.position, no.position), select(condition, yes.w, no.w), select(condition, yes.v, no.v)};
+}
+template <class Real>
+HWY_INLINE Body<Real> read_body(const SuperquadricPairs& pairs, std::size_t first, const Rows& rows) {
+  const auto& columns = pairs.columns;
+  return {read3<Real>(columns, first, rows),
+          {read<Real>(columns[first + 3], rows), read<Real>(columns[first + 4], rows)},
+          read3<Real>(columns, first + 5, rows),
+          read<Real>(columns[first + 8], rows),
+          read3<Real>(columns, first + 9, rows)};
+}
+
+/// Lexicographic order of bodies, so that a pair is always computed from the same side: swapping swaps exactly.
+template <class Real>
+HWY_INLINE MaskType<Real> precedes(const Body<Real>& a, const Body<Real>& b) {
+  MaskType<Real> less = a.position.x < b.position.x, equal = a.position.x == b.position.x;
+  const auto then = [&](const Real& p, const Real& q) {
+    less = less | (equal & (p < q));
+    equal = equal & (p == q);
+  };
+  if (any(equal)) {
+    then(a.position.y, b.position.y);
+    then(a.position.z, b.position.z);
+    then(a.half_axes.x, b.half_axes.x);
+    then(a.half_axes.y, b.half_axes.y);
+    then(a.half_axes.z, b.half_axes.z);
+    then(a.exponents.p, b.exponents.p);
+    then(a.exponents.q, b.exponents.q);
+    then(a.w, b.w);
+    then(a.v.x, b.v.x);
+    then(a.v.y, b.v.y);
+    then(a.v.z, b.v.z);
+  }
+  return less;
+}
+
+/// A batch of pairs in the order in which they are computed, and the way back to the caller's.
+template <class Real, class Kind>
+struct Problem {
+  MaskType<Real> swapped;
+  Rotation<Real> frame;  ///< of the first body → world
+  V3<Real> origin;
+  SuperquadricPair<Real, Kind> pair;
+};
+
+template <class Real, class Kind>
+HWY_INLINE Problem<Real, Kind> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
+  const Body<Real> given_1 = read_body<Real>(pairs, 0, rows);
+  const Body<Real> given_2 = read_body<Real>(pairs, SuperquadricPairs::per_body, rows);
+  const MaskType<Real> swapped = precedes(given_2, given_1);
+  const Body<Real> one = select(swapped, given_2, given_1), two = select(swapped, given_1, given_2);
+  const Rotation<Real> frame = rotation_of(one.w, one.v);
+  const Real w = one.w * two.w + dot(one.v, two.v);
+  const V3<Real> v = one.w * two.v - two.w * one.v - cross(one.v, two.v);
+  return {swapped,
+          frame,
+          one.position,
+          {one.half_axes, one.exponents, two.half_axes, two.exponents, rotation_of(w, v),
+           frame.apply_inverse(two.position - one.position)}};
+}
+
+template <class Real, class Kind>
+HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Real, Kind>& problem, const Rows& rows) {
+  const V3<Real> point_1 = read3<Real>(caches.columns, 0, rows), normal_1 = read3<Real>(caches.columns, 3, rows);
+  const V3<Real> point_2 = read3<Real>(caches.columns, 6, rows), normal_2 = read3<Real>(caches.columns, 9, rows);
+  const auto& swapped = problem.swapped;
+  const auto& pair = problem.pair;
+  return {select(swapped, point_2, point_1), select(swapped, normal_2, normal_1),
+          pair.rotation.apply(select(swapped, point_1, point_2)) + pair.centre_2,
+          pair.rotation.apply(select(swapped, normal_1, normal_2))};
+}
+
+/// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
+constexpr double flat_curvature = 1e-9;
+
+template <class Real, class Kind>
+HWY_INLINE void write_answer(const Problem<Real, Kind>& problem, const Answer<Real>& answer, std::uint64_t wanted,
+                             ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
+  const auto& swapped = problem.swapped;
+  const auto& frame = problem.frame;
+  const auto& pair = problem.pair;
+  const Real one(1.0);
+  const V3<Real> normal = frame.apply(answer.normal);
+  const V3<Real> point_1 = frame.apply(answer.touch.point_1) + problem.origin;
+  const V3<Real> point_2 = frame.apply(answer.touch.point_2) + problem.origin;
+  auto& columns = contacts.columns;
+  write3(select(swapped, -normal, normal), wanted, columns, 0, rows);
+  write(answer.overlap, wanted, columns[3], rows);
+  write3(select(swapped, point_2, point_1), wanted, columns, 4, rows);
+  write3(select(swapped, point_1, point_2), wanted, columns, 7, rows);
+
+  const auto in_world = [&](const V2<Real>& t) { return frame.apply(answer.basis.lift(t.p, t.q)); };
+  const Eigen2<Real> first = select(swapped, answer.curvature_2.principal, answer.curvature_1.principal);
+  const Eigen2<Real> second = select(swapped, answer.curvature_1.principal, answer.curvature_2.principal);
+  write(first.max, wanted, columns[10], rows);
+  write(first.min, wanted, columns[11], rows);
+  write3(in_world(first.direction), wanted, columns, 12, rows);
+  write(second.max, wanted, columns[15], rows);
+  write(second.min, wanted, columns[16], rows);
+  write3(in_world(second.direction), wanted, columns, 17, rows);
+
+  // det(K1 + K2) from terms that are all positive: det K1 + det K2 + the mixed discriminant.
+  const Sym2<Real>&k1 = answer.curvature_1.shape_operator, &k2 = answer.curvature_2.shape_operator;
+  const Real mixed = k1.pp * k2.qq + k2.pp * k1.qq - Real(2.0) * k1.pq * k2.pq;
+  const Eigen2<Real> relative = eigen(k1 + k2, first.max * first.min + second.max * second.min + max(mixed, Real(0.0)));
+  write(one / relative.min, wanted, columns[20], rows);
+  write(one / relative.max, wanted, columns[21], rows);
+  write3(in_world({-relative.direction.q, relative.direction.p}), wanted, columns, 22, rows);
+
+  const V3<Real> point_b = pair.rotation.apply_inverse(answer.touch.point_2 - pair.centre_2);
+  const V3<Real> normal_b = pair.rotation.apply_inverse(answer.touch.normal_2);
+  write3(select(swapped, point_b, answer.touch.point_1), wanted, caches.columns, 0, rows);
+  write3(select(swapped, normal_b, answer.touch.normal_1), wanted, caches.columns, 3, rows);
+  write3(select(swapped, answer.touch.point_1, point_b), wanted, caches.columns, 6, rows);
+  write3(select(swapped, answer.touch.normal_1, normal_b), wanted, caches.columns, 9, rows);
+
+  const std::uint64_t gaps = bits(answer.overlap < Real(0.0));
+  const std::uint64_t flats = bits(relative.min * pair.length < Real(flat_curvature));
+  for (Index i = 0; i < rows.count; ++i) {
+    if ((wanted >> i & 1U) == 0) continue;
+    const bool gap = (gaps >> i & 1U) != 0, flat = (flats >> i & 1U) != 0;
+    contacts.statuses[rows.index[i]] = flat  ? ContactStatus::flat
+                                       : gap ? ContactStatus::separated
+                                             : ContactStatus::touching;
+    caches.states[rows.index[i]] = ContactCache::State::contact;
+  }
+}
+
+/// A direction in which the bodies do not overlap: a proof of separation, kept in the cache.
+template <class Real, class Kind>
+HWY_INLINE void write_separation(const Problem<Real, Kind>& problem, const V3<Real>& direction, const Real& overlap,
+                                 std::uint64_t wanted, ContactColumns& contacts, ContactCaches& caches,
+                                 const Rows& rows) {
+  const V3<Real> normal = problem.frame.apply(direction), zero{Real(0.0), Real(0.0), Real(0.0)};
+  auto& columns = contacts.columns;
+  write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
+  write(overlap, wanted, columns[3], rows);
+  for (std::size_t k = 4; k < 25; ++k) write(Real(0.0), wanted, columns[k], rows);
+  const V3<Real> normal_b = problem.pair.rotation.apply_inverse(-direction);
+  write3(select(problem.swapped, normal_b, direction), wanted, caches.columns, 3, rows);
+  for (Index i = 0; i < rows.count; ++i) {
+    if ((wanted >> i & 1U) == 0) continue;
+    contacts.statuses[rows.index[i]] = ContactStatus::separated;
+    caches.states[rows.index[i]] = ContactCache::State::separation;
+  }
+}
+
+/// The best of the centre line and both bodies' gauge normals along it.
+template <class Real, class Kind>
+HWY_INLINE V3<Real> first_direction(const SuperquadricPair<Real, Kind>& pair) {
+  const V3<Real> toward = pair.centre_2, back = -toward;
+  const V3<Real> candidates[] = {normalised(toward), pair.lift_1(toward, toward).normal,
+                                 -pair.lift_2(pair.centre_2 + back, back).normal};
+  V3<Real> best = candidates[0];
+  Real least = overlap_along(pair, best);
+  for (int i = 1; i < 3; ++i) {
+    const Real overlap = overlap_along(pair, candidates[i]);
+    const MaskType<Real> better = overlap < least;
+    best = select(better, candidates[i], best);
+    least = select(better, overlap, least);
+  }
+  return best;
+}
+
+template <class Real, class Kind>
+void solve_warm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+                const std::vector<Index>& list, std::vector<Index>& cold) {
+  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
+    const Rows rows = rows_from<Real>(list, start);
+    const auto problem = problem_of<Real, Kind>(pairs, rows);
+    const Touch<Real> touch = read_touch<Real>(caches, problem, rows);
+    const auto everything = problem.pair.length > Real(0.0);
+    const Answer<Real> answer = polish(problem.pair, touch, everything, 8);
+    const std::uint64_t lanes_used = (std::uint64_t{1} << rows.count) - 1;
+    const std::uint64_t converged = bits(answer.converged) & lanes_used;
+    write_answer(problem, answer, converged, contacts, caches, rows);
+    for (Index i = 0; i < rows.count; ++i)
+      if ((converged >> i & 1U) == 0) cold.push_back(rows.index[i]);
+  }
+}
+
+template <class Real, class Kind>
+void solve_cold(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+                const std::vector<Index>& list, std::vector<Index>& hard) {
+  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
+    const Rows rows = rows_from<Real>(list, start);
+    const auto problem = problem_of<Real, Kind>(pairs, rows);
+    Real least(0.0);
+    const Touch<Real> touch = descend(problem.pair, first_direction(problem.pair), 16, least);
+    const auto everything = problem.pair.length > Real(0.0);
+    const Answer<Real> answer = polish(problem.pair, touch, everything, 10);
+    const std::uint64_t lanes_used = (std::uint64_t{1} << rows.count) - 1;
+    const auto good = answer.converged & (answer.overlap <= least + Real(1e-12) * problem.pair.length);
+    const std::uint64_t converged = bits(good) & lanes_used;
+    write_answer(problem, answer, converged, contacts, caches, rows);
+    for (Index i = 0; i < rows.count; ++i)
+      if ((converged >> i & 1U) == 0) hard.push_back(rows.index[i]);
+  }
+}
+
+template <class Real>
+void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap) {
+  const Index size = pairs.size();
+  std::vector<Index> warm[3], cold[3], hard;
+  for (Index i = 0; i < size; ++i) {
+    const double n[4] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
+    bool square = true, even = true;
+    for (double e : n) {
+      square = square && e == 2.0;
+      even = even && std::fmod(e, 2.0) == 0.0;
+    }
+    const int kind = square ? 0 : even ? 1 : 2;
+    (caches.states[i] == ContactCache::State::contact ? warm : cold)[kind].push_back(i);
+  }
+  solve_warm<Real, Ellipsoids>(pairs, caches, contacts, warm[0], cold[0]);
+  solve_warm<Real, EvenExponents>(pairs, caches, contacts, warm[1], cold[1]);
+  solve_warm<Real, RealExponents>(pairs, caches, contacts, warm[2], cold[2]);
+  solve_cold<Real, Ellipsoids>(pairs, caches, contacts, cold[0], hard);
+  solve_cold<Real, EvenExponents>(pairs, caches, contacts, cold[1], hard);
+  solve_cold<Real, RealExponents>(pairs, caches, contacts, cold[2], hard);
+  for (Index i : hard) contacts.statuses[i] = ContactStatus::not_converged;
+}
+
+void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  solve_all<Batch>(pairs, caches, contacts, gap);
+}
+void scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  solve_all<double>(pairs, caches, contacts, gap);
+}
+const char* target_name() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace osculate
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace osculate {
+
+HWY_EXPORT(batched);
+HWY_EXPORT(scalar);
+HWY_EXPORT(target_name);
+
+void SuperquadricPairs::set(std::size_t i, const Superquadric& shape_1, const Pose& pose_1, const Superquadric& shape_2,
+                            const Pose& pose_2) {
+  const auto fill = [&](std::size_t first, const Superquadric& shape, const Pose& pose) {
+    const double values[per_body] = {shape.half_axes.x(),  shape.half_axes.y(),  shape.half_axes.z(),
+                                     shape.exponents.n1,   shape.exponents.n2,   pose.position.x(),
+                                     pose.position.y(),    pose.position.z(),    pose.orientation.w(),
+                                     pose.orientation.x(), pose.orientation.y(), pose.orientation.z()};
+    for (std::size_t k = 0; k < per_body; ++k) columns[first + k][i] = values[k];
+  };
+  fill(0, shape_1, pose_1);
+  fill(per_body, shape_2, pose_2);
+}
+
+namespace {
+template <std::size_t N>
+Vec3 vector_at(const Columns<N>& columns, std::size_t first, std::size_t i) {
+  return {columns[first][i], columns[first + 1][i], columns[first + 2][i]};
+}
+}  // namespace
+
+void ContactCaches::resize(std::size_t size) {
+  states.resize(size, ContactCache::State::empty);
+  columns.resize(size);
+}
+
+ContactCache ContactCaches::get(std::size_t i) const {
+  return {states[i], vector_at(columns, 0, i), vector_at(columns, 3, i), vector_at(columns, 6, i),
+          vector_at(columns, 9, i)};
+}
+
+void ContactCaches::set(std::size_t i, const ContactCache& cache) {
+  states[i] = cache.state;
+  const Vec3* vectors[] = {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2};
+  for (std::size_t k = 0; k < 12; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
+}
+
+void ContactColumns::resize(std::size_t size) {
+  statuses.resize(size, ContactStatus::degenerate);
+  columns.resize(size);
+}
+
+ContactGeometry ContactColumns::get(std::size_t i) const {
+  ContactGeometry contact;
+  contact.status = statuses[i];
+  contact.normal = vector_at(columns, 0, i);
+  contact.overlap = columns[3][i];
+  contact.on_1 = vector_at(columns, 4, i);
+  contact.on_2 = vector_at(columns, 7, i);
+  contact.curvature_1 = {columns[10][i], columns[11][i], vector_at(columns, 12, i)};
+  contact.curvature_2 = {columns[15][i], columns[16][i], vector_at(columns, 17, i)};
+  contact.relative = {columns[20][i], columns[21][i], vector_at(columns, 22, i), false};
+  return contact;
+}
+
+void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  caches.resize(pairs.size());
+  contacts.resize(pairs.size());
+  HWY_DYNAMIC_DISPATCH(batched)(pairs, caches, contacts, gap);
+}
+
+void common_normals_scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  caches.resize(pairs.size());
+  contacts.resize(pairs.size());
+  HWY_DYNAMIC_DISPATCH(scalar)(pairs, caches, contacts, gap);
+}
+
+const char* batch_instruction_set() {
+  return HWY_DYNAMIC_DISPATCH(target_name)();
+}
+
+}  // namespace osculate
+#endif
