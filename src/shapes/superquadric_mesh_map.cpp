@@ -6,7 +6,7 @@
 namespace osculate {
 namespace {
 
-constexpr double margin = 0.4;  // of a half-axis: a quarter of the vertices go to the edges of a box
+constexpr double full_margin = 0.4;  // of a half-axis: a quarter of the vertices go to the edges of a box
 
 /// A point p, q ≥ 0 of the curve p^n + q^n = 1, and the point it has on the curve grown by the margin.
 struct CurvePoint {
@@ -16,7 +16,7 @@ struct CurvePoint {
 
 /// The curve's point whose grown point lies along (u, v), u and v ≥ 0 and not both zero. The normal's components are
 /// p^(n−1), q^(n−1); an exponent near 0 (n → 1) would collapse vertices on the rims and is kept off it.
-CurvePoint curve_point(double n, double u, double v) {
+CurvePoint curve_point(double n, double margin, double u, double v) {
   const double bend = std::max(n - 1.0, 0.4);
   const auto grown = [&](double p) { return p > 0.0 ? p + margin * std::pow(p, bend) : 0.0; };
   if (u == 0.0) return {0.0, 1.0, 0.0, grown(1.0)};
@@ -47,10 +47,13 @@ Vec3 mesh_point(const Superquadric& shape, const Vec3& w) {
   double across = 0.0;  // of (u, v), measured so that it is u on the x axis and v on the y axis
   CurvePoint inner{0.0, 0.0, 0.0, 0.0};
   if (u > 0.0 || v > 0.0) {
-    inner = curve_point(shape.exponents.n2, u, v);
+    // Edges along z need no vertices where they fade out on the faces towards z.
+    const double steepness = std::min(1.0, std::max(u, v) / std::fabs(w.z()));
+    const double margin = full_margin * steepness * steepness;
+    inner = curve_point(shape.exponents.n2, margin, u, v);
     across = std::hypot(u, v) * (1.0 + margin) / std::hypot(inner.grown_p, inner.grown_q);
   }
-  const CurvePoint outer = curve_point(shape.exponents.n1, across, std::fabs(w.z()));
+  const CurvePoint outer = curve_point(shape.exponents.n1, full_margin, across, std::fabs(w.z()));
   const Vec3 x(std::copysign(outer.p * inner.p * shape.half_axes.x(), w.x()),
                std::copysign(outer.p * inner.q * shape.half_axes.y(), w.y()),
                std::copysign(outer.q * shape.half_axes.z(), w.z()));
