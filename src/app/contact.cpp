@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/contact_pairs.hpp"
+#include "osculate/core/error.hpp"
 
 namespace osculate::app {
 namespace {
@@ -24,6 +25,7 @@ void add_contact(CLI::App& program) {
   contact->add_flag("--compare", options->pairs.compare, "Compare with the reference columns")->needs(pairs);
   contact->callback([options] {
     PairsRequest& request = options->pairs;
+    if (request.input.empty()) throw InputError("contact", "nothing to do", "a contact file, or --pairs with a table");
     if (options->scalar) request.evaluation = Evaluation::scalar;
     if (options->warm) request.start = Start::warm;
     if (const int code = run_pairs(request); code != 0) throw CLI::RuntimeError(code);
