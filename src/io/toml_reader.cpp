@@ -305,7 +305,7 @@ void TomlTable::reject_unknown_keys() const {
 }
 
 std::string TomlTable::where(std::string_view key) const {
-  const toml::node* node = content_->table->get(key);
+  const toml::node* node = content_->table->at_path(key).node();
   if (node != nullptr) return io::where({content_->document.get(), node, content_->key_of(key)});
   return fmt::format("{}: key {}", position(*content_->document, content_->table->source().begin),
                      content_->key_of(key));

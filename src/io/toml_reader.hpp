@@ -78,7 +78,8 @@ class TomlTable {
   /// Throws for the first key of this table that nobody has asked for. Call it when a table has been read.
   void reject_unknown_keys() const;
 
-  /// "file:line:col: key a.b", of the key's value if it is there, else of the table.
+  /// "file:line:col: key a.b", of the key's value if it is there, else of the table. An element of an array or of an
+  /// inner table is named as "planes[2]" or "material.density".
   std::string where(std::string_view key) const;
   /// "file:line:col: table a", or "file".
   std::string where() const;
