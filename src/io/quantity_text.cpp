@@ -26,8 +26,12 @@ std::string quantity_text(double value, std::string_view unit) {
 }
 
 std::string vector_text(const Vec3& vector, double scale, int digits) {
-  // Adding zero turns −0 into 0.
-  const auto number = [&](double value) { return fmt::format("{: .{}f}", value / scale + 0.0, digits); };
+  // What rounds to zero is written without a sign.
+  const double smallest = 0.5 * std::pow(10.0, -digits);
+  const auto number = [&](double value) {
+    const double scaled = value / scale;
+    return fmt::format("{: .{}f}", std::fabs(scaled) < smallest ? 0.0 : scaled, digits);
+  };
   return fmt::format("({}, {}, {})", number(vector.x()), number(vector.y()), number(vector.z()));
 }
 

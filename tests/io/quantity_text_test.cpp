@@ -25,5 +25,5 @@ TEST_CASE("Zero, infinity and what no prefix reaches are written without one") {
 
 TEST_CASE("Vectors line up whatever their signs, and zero has none") {
   CHECK(vector_text({1.2e-3, -0.5e-3, 0.0}, 1e-3, 3) == "( 1.200, -0.500,  0.000)");
-  CHECK(vector_text({-0.0, 0.0, 1.0}, 1.0, 1) == "( 0.0,  0.0,  1.0)");
+  CHECK(vector_text({-0.0, -0.04, 1.0}, 1.0, 1) == "( 0.0,  0.0,  1.0)");
 }
