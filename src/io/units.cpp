@@ -1,6 +1,7 @@
 #include "io/units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace osculate::io {
@@ -65,6 +66,12 @@ const Dimension& duration() {
 const Dimension& surface_energy() {
   static const Dimension dimension{"surface energy", {{"J/m2", 1.0}, {"J/m²", 1.0}, {"mJ/m2", 1e-3}, {"mJ/m²", 1e-3}}};
   return dimension;
+}
+
+Unit suitable_length(double metres) {
+  constexpr std::array<Unit, 4> units{{{"m", 1.0}, {"mm", 1e-3}, {"µm", 1e-6}, {"nm", 1e-9}}};
+  const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return metres >= 0.5 * u.in_si; });
+  return found == units.end() ? units.back() : *found;
 }
 
 }  // namespace osculate::io

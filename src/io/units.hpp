@@ -34,4 +34,7 @@ const Dimension& force();             ///< N, kN, mN, uN
 const Dimension& duration();          ///< s, ms, us
 const Dimension& surface_energy();    ///< J/m2, mJ/m2
 
+/// The unit out of m, mm, µm and nm in which a length reads as 0.5 to 500.
+Unit suitable_length(double metres);
+
 }  // namespace osculate::io
