@@ -4,4 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace osculate::app {}  // namespace osculate::app
+namespace osculate::app {
+
+/// `shape`: what a shape is, as numbers, files and pictures.
+void add_shape(CLI::App& program);
+
+}  // namespace osculate::app
