@@ -78,7 +78,7 @@ void write_png(const Picture& picture, const std::filesystem::path& path) {
   for (const PictureArrow& arrow : picture.arrows) add_arrow(part_of(arrow.depth), arrow, projection);
   for (const PicturePoint& point : picture.points) add_point(part_of(point.depth), point, projection);
   sort_by_depth(scene.translucent);
-  add_axes(scene.on_top, picture, projection);
+  add_axes(scene.on_top, projection);
   write_annotated(render(scene), picture, projection, path);
 }
 

@@ -92,6 +92,21 @@ class Drawing {
     cairo_fill(cairo_.get());
   }
 
+  /// viridis from 0 at the lower edge to 1 at the upper.
+  void colour_ramp(double x, double y, double width, double height) {
+    const std::unique_ptr<cairo_pattern_t, decltype(&cairo_pattern_destroy)> ramp(
+        cairo_pattern_create_linear(0.0, y + height, 0.0, y), &cairo_pattern_destroy);
+    constexpr int stops = 64;
+    for (int i = 0; i <= stops; ++i) {
+      const double value = static_cast<double>(i) / stops;
+      const Colour c = viridis(value);
+      cairo_pattern_add_color_stop_rgb(ramp.get(), value, c.red, c.green, c.blue);
+    }
+    cairo_rectangle(cairo_.get(), x, y, width, height);
+    cairo_set_source(cairo_.get(), ramp.get());
+    cairo_fill(cairo_.get());
+  }
+
   bool write(const std::filesystem::path& path) {
     cairo_surface_flush(surface_.get());
     return cairo_surface_write_to_png(surface_.get(), path.c_str()) == CAIRO_STATUS_SUCCESS;
@@ -136,23 +151,21 @@ void draw_colour_bar(Drawing& drawing, const Picture& picture, const ColourBar& 
   const Frame frame = free_frame(picture);
   const double x = picture.width - margin - bar_room + 60.0, height = 0.78 * frame.height;
   const double top = frame.top + 0.5 * (frame.height - height) + 14.0, bottom = top + height;
-  constexpr int steps = 256;
-  for (int i = 0; i < steps; ++i) {
-    const double y = bottom - height * (i + 1) / steps;
-    // Overlaps its neighbour by a hair, so that no white line shows between them.
-    drawing.rectangle(x, y, bar_width, height / steps + (i > 0 ? 0.5 : 0.0), viridis((i + 0.5) / steps));
-  }
+  drawing.colour_ramp(x, top, bar_width, height);
   const double tip = 0.8 * bar_width;
   if (above) drawing.triangle(x, top, x + bar_width, top, x + 0.5 * bar_width, top - tip, viridis(1.0));
   if (below) drawing.triangle(x, bottom, x + bar_width, bottom, x + 0.5 * bar_width, bottom + tip, viridis(0.0));
 
   const double step = round_down(span / 4.0);
-  for (double tick = std::ceil(bar.lower / step - 1e-9) * step; tick <= bar.upper + 1e-9 * span; tick += step) {
-    const double y = bottom - height * (tick - bar.lower) / span;
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const auto first = static_cast<long>(std::ceil(bar.lower / step - 1e-9));
+  const auto last = static_cast<long>(std::floor(bar.upper / step + 1e-9));
+  for (long i = first; i <= last; ++i) {
+    const double tick = static_cast<double>(i) * step, y = bottom - height * (tick - bar.lower) / span;
+    const std::string label =
+        decimals > 5 || std::fabs(tick) >= 1e6 ? fmt::format("{:.3g}", tick) : fmt::format("{:.{}f}", tick, decimals);
     drawing.rectangle(x + bar_width, y - 0.75, 7.0, 1.5, palette::black);
-    const double shown = std::fabs(tick) < 1e-9 * step ? 0.0 : tick;
-    drawing.text(fmt::format("{:.4g}", shown), x + bar_width + 12.0, y + 0.36 * text_size, text_size, 0.0,
-                 palette::black);
+    drawing.text(label, x + bar_width + 12.0, y + 0.36 * text_size, text_size, 0.0, palette::black);
   }
   drawing.text(bar.title, picture.width - margin, top - tip - 16.0, text_size, 1.0, palette::black);
 }
@@ -165,7 +178,7 @@ Frame free_frame(const Picture& picture) {
   return {margin, top, picture.width - 2.0 * margin - right, picture.height - top - foot - 20.0};
 }
 
-void add_axes(PictureTriangles& triangles, const Picture& picture, const Projection& projection) {
+void add_axes(PictureTriangles& triangles, const Projection& projection) {
   const Projection corner = axes_projection(projection);
   for (int i = 0; i < 3; ++i) {
     add_arrow(triangles, {.from = Vec3::Zero(), .to = Vec3::Unit(i), .colour = axes[i].second, .width = 4.0}, corner);

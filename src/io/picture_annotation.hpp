@@ -18,7 +18,7 @@ struct Frame {
 Frame free_frame(const Picture& picture);
 
 /// The world's axes in the lower left corner.
-void add_axes(PictureTriangles& triangles, const Picture& picture, const Projection& projection);
+void add_axes(PictureTriangles& triangles, const Projection& projection);
 
 /// Writes the annotations over the image and the whole as PNG.
 void write_annotated(const Image& image, const Picture& picture, const Projection& projection,

@@ -39,8 +39,8 @@ void main() {
   vec3 n = normalize(normal);
   vec3 key = normalize(vec3(-0.45, 0.75, 0.85));
   vec3 fill = normalize(vec3(0.9, -0.1, 0.5));
-  float light = 0.42 + 0.10 * n.y + 0.55 * max(dot(n, key), 0.0) + 0.16 * max(dot(n, fill), 0.0);
-  float gloss = 0.18 * pow(max(dot(n, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
+  float light = 0.60 + 0.10 * n.y + 0.42 * max(dot(n, key), 0.0) + 0.14 * max(dot(n, fill), 0.0);
+  float gloss = 0.05 * (0.5 + 0.5 * dot(n, key)) + 0.16 * pow(max(dot(n, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
   gl_FragColor = vec4(colour.rgb * light + gloss, colour.a);
 }
 )";
