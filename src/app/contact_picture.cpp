@@ -30,7 +30,7 @@ double reach_of(const ContactAnalysis& analysis) {
 
 io::PictureBody body_of(const io::ContactFileBody& body, const Vec3& contact_point, double reach, io::Colour colour) {
   io::PictureBody drawn{.pose = body.pose, .colour = colour, .opacity = body_opacity};
-  constexpr double patch_size = 2.0;
+  constexpr double patch_size = 1.5;
   drawn.mesh = is_particle(body.shape)
                    ? surface_mesh(body.shape, mesh_resolution)
                    : wall_patch(body.shape, body.pose.to_body(contact_point), patch_size * reach);

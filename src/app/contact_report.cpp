@@ -16,35 +16,37 @@ using io::quantity_text;
 using io::vector_text;
 using json = nlohmann::ordered_json;
 
-std::string line(std::string_view label, const std::string& value, std::string_view remark = "") {
+std::string line(std::string_view label, std::string_view value, std::string_view remark = "") {
   // The label's column is counted in code points: Greek letters take two bytes.
-  const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  const auto letters = std::count_if(label.begin(), label.end(),
+                                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   constexpr std::ptrdiff_t label_width = 28;
-  std::string text = "  " + std::string(label) + std::string(static_cast<std::size_t>(std::max<std::ptrdiff_t>(label_width - letters, 1)), ' ') + value;
-  if (!remark.empty()) text += "   " + std::string(remark);
-  return text + "\n";
+  const auto padding = static_cast<int>(std::max<std::ptrdiff_t>(label_width - letters, 1));
+  return fmt::format("  {}{:{}}{}{}{}\n", label, "", padding, value, remark.empty() ? "" : "   ", remark);
 }
 
 std::string describe(const io::ContactFileBody& body, double volume_radius) {
-  const std::string material = fmt::format("{}E = {:g} GPa, ν = {:g}",
-                                           body.material_name.empty() ? "" : body.material_name + ", ",
-                                           body.material.youngs_modulus * 1e-9, body.material.poissons_ratio);
-  const std::string size = std::isfinite(volume_radius) ? "R_vol = " + quantity_text(volume_radius, "m") : "wall";
+  const std::string material =
+      fmt::format("{}{}E = {:g} GPa, ν = {:g}", body.material_name, body.material_name.empty() ? "" : ", ",
+                  body.material.youngs_modulus * 1e-9, body.material.poissons_ratio);
+  const std::string size =
+      std::isfinite(volume_radius) ? fmt::format("R_vol = {}", quantity_text(volume_radius, "m")) : "wall";
   const std::string kind(osculate::kind(body.shape));
-  const std::string named = body.shape_name.empty() || body.shape_name == kind ? kind : body.shape_name + " (" + kind + ")";
+  const std::string named =
+      body.shape_name.empty() || body.shape_name == kind ? kind : fmt::format("{} ({})", body.shape_name, kind);
   return fmt::format("{};  {};  {}", named, size, material);
 }
 
 std::string heading(const ContactAnalysis& analysis) {
   const io::ContactFile& input = analysis.input;
-  return (input.title.empty() ? std::string() : input.title + "\n\n") + "Bodies\n" +
+  return fmt::format("{}{}Bodies\n", input.title, input.title.empty() ? "" : "\n\n") +
          line("body 1", describe(input.body_1, analysis.volume_radius_1)) +
          line("body 2", describe(input.body_2, analysis.volume_radius_2));
 }
 
 std::string geometry_text(const ContactAnalysis& analysis) {
   const ContactGeometry& contact = analysis.geometry;
-  std::string text = "\nContact\n" + line("status", std::string(name(contact.status)));
+  std::string text = "\nContact\n" + line("status", name(contact.status));
   if (!is_resolved(contact.status)) return text;
   const double size = analysis.volume_radius();
   const io::PrefixedUnit unit = io::prefixed_unit(size, "m");
@@ -52,9 +54,12 @@ std::string geometry_text(const ContactAnalysis& analysis) {
   text += line(contact.overlap < 0.0 ? "gap −δ" : "overlap δ", quantity_text(std::fabs(contact.overlap), "m"),
                fmt::format("{:.4g} % of R_vol", 100.0 * std::fabs(contact.overlap) / size));
   text += line("normal, body 1 → 2", vector_text(contact.normal, 1.0, digits));
-  text += line("point on body 1", vector_text(contact.on_1, unit.size, digits) + " " + unit.symbol);
-  text += line("point on body 2", vector_text(contact.on_2, unit.size, digits) + " " + unit.symbol);
-  text += line("contact point", vector_text(contact.point(), unit.size, digits) + " " + unit.symbol, "midway");
+  const auto point_text = [&](const Vec3& point) {
+    return fmt::format("{} {}", vector_text(point, unit.size, digits), unit.symbol);
+  };
+  text += line("point on body 1", point_text(contact.on_1));
+  text += line("point on body 2", point_text(contact.on_2));
+  text += line("contact point", point_text(contact.point()), "midway");
   return text;
 }
 
@@ -72,7 +77,7 @@ std::string curvature_text(const ContactAnalysis& analysis) {
   add("  body 1", contact.curvature_1, contact.normal);
   add("  body 2", contact.curvature_2, -contact.normal);
   const RelativeCurvature& relative = contact.relative;
-  std::string text = "\n" + io::to_text(table) + "\nRelative curvature\n";
+  std::string text = fmt::format("\n{}\nRelative curvature\n", io::to_text(table));
   text += line("R_i, along the major axis", quantity_text(relative.R_i, "m"),
                relative.capped ? fmt::format("capped at {:g} R_vol", analysis.input.radius_cap) : "");
   text += line("R_j, across", quantity_text(relative.R_j, "m"));
@@ -102,7 +107,7 @@ std::string hertz_text(const ContactAnalysis& analysis) {
   text += line("peak pressure p_0", quantity_text(hertz.peak_pressure, "Pa"));
   text += line("stiffness dF/dδ", quantity_text(hertz.stiffness, "N/m"));
   text += line("elastic energy", quantity_text(hertz.strain_energy, "J"));
-  text += line("validity", std::string(name(hertz.validity)),
+  text += line("validity", name(hertz.validity),
                fmt::format("a_c/R_min = {:.3g}, to be below 0.5", hertz.a_c / analysis.hertz->smallest_radius));
   return text;
 }
@@ -112,12 +117,12 @@ std::string models_text(const ContactAnalysis& analysis) {
   io::Table table{{"Same overlap, by model", "R_i", "R_j", "force", "error"}, {}};
   const auto row = [&](const std::string& model, const RelativeCurvature& relative, const std::optional<double>& force) {
     const double exact = analysis.hertz->contact.force;
-    table.rows.push_back({"  " + model, quantity_text(relative.R_i, "m"), quantity_text(relative.R_j, "m"),
+    table.rows.push_back({fmt::format("  {}", model), quantity_text(relative.R_i, "m"), quantity_text(relative.R_j, "m"),
                           force ? quantity_text(*force, "N") : "-",
                           force ? fmt::format("{:+.3f} %", 100.0 * (*force / exact - 1.0)) : "-"});
   };
   for (const ModelForce& model : analysis.models) row(model.model, model.relative, model.force);
-  return "\n" + io::to_text(table);
+  return fmt::format("\n{}", io::to_text(table));
 }
 
 json number_of(double value) {
