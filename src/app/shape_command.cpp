@@ -23,10 +23,16 @@ struct ShapeOptions {
   std::string shape;
   std::string out;
   std::string picture;
-  io::CurvatureKind colour = io::CurvatureKind::mean;
+  std::string colour = "mean";
   std::optional<int> resolution;
   bool as_json = false;
 };
+
+io::CurvatureKind curvature_kind(const ShapeOptions& options) {
+  return options.colour == "gaussian" ? io::CurvatureKind::gaussian
+         : options.colour == "max"    ? io::CurvatureKind::max
+                                      : io::CurvatureKind::mean;
+}
 
 constexpr const char* help = R"(A shape is a catalogue name or the path of a shape file (with a '/' or ending in .toml):
 
@@ -41,7 +47,7 @@ A shape file:
   unit = "mm"                      # m, cm, mm, um, nm, in
   kind = "superquadric"            # then
   half_axes = [1.45, 1.05, 2.8]    #   a, b, c
-  n = [2.2, 2.0]                   #   n1, n2 in (1, 64]; or eta = [eta1, eta2], n = 2/eta
+  n = [2.4, 2.0]                   #   n1, n2 in (1, 64]; or eta = [eta1, eta2], n = 2/eta
   # kind = "ellipsoid"               half_axes
   # kind = "sphere"                  radius
   # kind = "potential_particle"      planes = [[nx, ny, nz, d], ...] or polyhedron = "file.off|stl|obj"; k, r, R
@@ -182,7 +188,7 @@ std::string across(const Shape& shape) {
 }
 
 void write_picture(const io::ShapeFile& file, const io::CurvedSurface& surface, const ShapeOptions& options) {
-  io::CurvaturePicture curvature = io::picture_of(surface, options.colour);
+  io::CurvaturePicture curvature = io::picture_of(surface, curvature_kind(options));
   io::Picture picture;
   picture.title = file.title.empty() ? file.name : file.title;
   picture.notes = {fmt::format("{}, {}", kind(file.shape), across(file.shape))};
@@ -195,16 +201,16 @@ void write_picture(const io::ShapeFile& file, const io::CurvedSurface& surface, 
 std::vector<std::string> write_surface(const io::CurvedSurface& surface, const ShapeOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() == ".obj") {
-    io::write_obj(surface, options.colour, out);
+    io::write_obj(surface, curvature_kind(options), out);
     return {out};
   }
   if (out.extension() == ".vtp") {
-    io::write_vtp(surface, options.colour, out);
+    io::write_vtp(surface, curvature_kind(options), out);
     return {out};
   }
   const std::string obj = options.out + ".obj", vtp = options.out + ".vtp";
-  io::write_obj(surface, options.colour, obj);
-  io::write_vtp(surface, options.colour, vtp);
+  io::write_obj(surface, curvature_kind(options), obj);
+  io::write_vtp(surface, curvature_kind(options), vtp);
   return {obj, vtp};
 }
 
@@ -277,11 +283,9 @@ void add_shape(CLI::App& program) {
   command->add_option("shape", options->shape, "catalogue name or shape file; none lists the catalogue");
   command->add_option("--out", options->out, "write the surface: FILE.obj, FILE.vtp, or a prefix for both");
   command->add_option("--picture", options->picture, "write a picture (PNG)");
-  command->add_option("--colour,--color", options->colour, "colour by mean, gaussian or max curvature (mean)")
-      ->transform(CLI::CheckedTransformer(
-          std::vector<std::pair<std::string, io::CurvatureKind>>{{"mean", io::CurvatureKind::mean},
-                                                                 {"gaussian", io::CurvatureKind::gaussian},
-                                                                 {"max", io::CurvatureKind::max}}));
+  command->add_option("--colour,--color", options->colour, "curvature shown in colours")
+      ->check(CLI::IsMember({"mean", "gaussian", "max"}))
+      ->capture_default_str();
   command
       ->add_option("--resolution", options->resolution,
                    "cells along each edge of the cube mapped to the surface (96; potential particles 192)")

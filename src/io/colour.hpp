@@ -21,7 +21,7 @@ inline constexpr Colour red{0.80, 0.25, 0.15};
 }  // namespace palette
 
 /// The perceptually uniform colour map "viridis" (S. van der Walt & N. Smith, matplotlib) from dark violet at 0 to
-/// yellow at 1, within 0.01 of its table; values outside are clamped.
+/// yellow at 1, within 0.015 of its table; values outside are clamped.
 Colour viridis(double value);
 
 }  // namespace osculate::io

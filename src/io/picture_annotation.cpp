@@ -18,7 +18,8 @@ constexpr double margin = 48.0;
 constexpr double title_size = 28.0, text_size = 19.0;
 constexpr double bar_width = 26.0, bar_room = 170.0;
 constexpr double foot = 84.0;  // scale bar and its margin
-constexpr double axis_length = 52.0;
+constexpr double axis_length = 44.0;
+constexpr double side = margin + axis_length;  // keeps wide bodies off the axes
 
 double note_height() {
   return 1.45 * text_size;
@@ -175,7 +176,7 @@ void draw_colour_bar(Drawing& drawing, const Picture& picture, const ColourBar& 
 Frame free_frame(const Picture& picture) {
   const double top = title_height(picture) + 26.0;
   const double right = picture.colour_bar ? bar_room + 20.0 : 0.0;
-  return {margin, top, picture.width - 2.0 * margin - right, picture.height - top - foot - 20.0};
+  return {side, top, picture.width - side - margin - right, picture.height - top - foot - 20.0};
 }
 
 void add_axes(PictureTriangles& triangles, const Projection& projection) {
