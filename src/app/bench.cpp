@@ -19,6 +19,7 @@ the median of the repetitions ± half the distance between their quartiles.
   warm       from the last answer, after a pose change of 1e-4
   cold       from nothing
   separated  a gap of 1 % R_vol, with the separating direction cached
+  Hertz      the force from the radii of relative curvature
   GJK/EPA    libccd on the same support functions: one scalar contact without curvature, its depth good to a few per cent
 Example:
   osculate bench narrow --json > narrow.json)";
@@ -59,7 +60,7 @@ nlohmann::ordered_json json_of(const NarrowTimes& times) {
           {"ccd_median_relative_depth_error", times.ccd_depth_error}};
 }
 
-void print_text(const std::vector<NarrowTimes>& all, const NarrowSettings& settings) {
+void print_text(const std::vector<NarrowTimes>& all, const Timing& hertz, const NarrowSettings& settings) {
   fmt::print(
       "Narrow phase of superquadrics: nanoseconds per contact on one core\n"
       "{} pairs a class, overlap {:g} R_vol, pose change {:g}, {} repetitions, batches on {}\n\n",
@@ -75,13 +76,16 @@ void print_text(const std::vector<NarrowTimes>& all, const NarrowSettings& setti
                            ratio_text(times.ccd, times.warm_scalar), ratio_text(times.ccd, times.cold_scalar)});
   }
   fmt::print("{}\n{}\n", io::to_text(batched), io::to_text(scalar));
+  fmt::print("Elliptical Hertz, batched, from the radii to force, ellipse, pressure, stiffness, energy: {} ns\n",
+             text_of(hertz));
   std::string failures;
   double worst = 0.0;
   for (const NarrowTimes& times : all) {
     worst = std::max(worst, times.ccd_depth_error);
     if (times.ccd_failures > 0)
       failures += fmt::format("{} {} ({})", failures.empty() ? "" : ",", times.ccd_failures, times.name);
-    if (times.unresolved > 0) fmt::print("Not converged: {} of {} pairs ({})\n", times.unresolved, settings.pairs, times.name);
+    if (times.unresolved > 0)
+      fmt::print("Not converged: {} of {} pairs ({})\n", times.unresolved, settings.pairs, times.name);
   }
   fmt::print("GJK/EPA: depth off by {:.1e} of itself (median, worst class)", worst);
   fmt::print("{}\n", failures.empty() ? "." : "; contacts it missed:" + failures + ".");
@@ -113,13 +117,13 @@ void bench_narrow(const BenchOptions& options) {
       progress.update(static_cast<double>(all.size()) / static_cast<double>(classes.size()));
     }
   }
-  if (!options.json) return print_text(all, options.narrow);
-  nlohmann::ordered_json report{{"instruction_set", batch_instruction_set()},
-                                {"pairs", options.narrow.pairs},
-                                {"repetitions", options.narrow.repetitions},
-                                {"overlap_over_R_vol", options.narrow.overlap},
-                                {"pose_change", options.narrow.pose_change},
-                                {"classes", nlohmann::ordered_json::array()}};
+  const Timing hertz = time_hertz(options.narrow);
+  if (!options.json) return print_text(all, hertz, options.narrow);
+  nlohmann::ordered_json report{
+      {"instruction_set", batch_instruction_set()}, {"pairs", options.narrow.pairs},
+      {"repetitions", options.narrow.repetitions},  {"overlap_over_R_vol", options.narrow.overlap},
+      {"pose_change", options.narrow.pose_change},  {"hertz_batched", json_of(hertz)},
+      {"classes", nlohmann::ordered_json::array()}};
   for (const NarrowTimes& times : all) report["classes"].push_back(json_of(times));
   fmt::print("{}\n", report.dump(2));
 }
@@ -134,11 +138,15 @@ void add_bench(CLI::App& program) {
   const auto options = std::make_shared<BenchOptions>();
   narrow->add_flag("--json", options->json, "Print the numbers as JSON");
   narrow->add_option("--class", options->classes, "Only these classes (sphere, ellipsoid, blocky, box, cylinder, ...)");
-  narrow->add_option("--pairs", options->narrow.pairs, "Pairs a class")->check(CLI::Range(16, 1000000))->capture_default_str();
+  narrow->add_option("--pairs", options->narrow.pairs, "Pairs a class")
+      ->check(CLI::Range(16, 1000000))
+      ->capture_default_str();
   narrow->add_option("--repetitions", options->narrow.repetitions, "Timed repetitions")
       ->check(CLI::Range(3, 100000))
       ->capture_default_str();
-  narrow->add_option("--epa-tolerance", options->narrow.epa_tolerance, "When libccd's EPA stops, in squared lengths of R_vol")
+  narrow
+      ->add_option("--epa-tolerance", options->narrow.epa_tolerance,
+                   "When libccd's EPA stops, in squared lengths of R_vol")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   narrow->callback([options] { bench_narrow(*options); });

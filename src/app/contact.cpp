@@ -28,12 +28,13 @@ std::string help_text() {
     columns += columns.empty() ? "  " : column == "a2" ? ",\n  " : ",";
     columns += column;
   }
-  return std::string("Examples:\n"
-                     "  osculate contact examples/contacts/two-ellipsoids.toml\n"
-                     "  osculate contact examples/contacts/rice-on-floor.toml --json --picture rice.png\n"
-                     "  osculate contact --pairs pairs.csv --out contacts.csv\n"
-                     "  osculate contact --pairs tests/data/superquadric_common_normal.csv --compare --warm\n\n"
-                     "Keys of a contact file (TOML; docs/contact-files.md tells more):\n") +
+  return std::string(
+             "Examples:\n"
+             "  osculate contact examples/contacts/two-ellipsoids.toml\n"
+             "  osculate contact examples/contacts/rice-on-floor.toml --json --picture rice.png\n"
+             "  osculate contact --pairs pairs.csv --out contacts.csv\n"
+             "  osculate contact --pairs tests/data/superquadric_common_normal.csv --compare --warm\n\n"
+             "Keys of a contact file (TOML; docs/contact-files.md tells more):\n") +
          io::contact_file_keys() +
          "\n\nColumns of a table of pairs, named in its first line, in any order; others are ignored:\n" + columns +
          "\n  half-axes and centres [m], exponents n1 (z) and n2 (x, y), unit quaternions (body to world)\n"
@@ -75,8 +76,7 @@ void add_contact(CLI::App& program) {
       ->needs(pairs);
   contact->callback([options] {
     if (!options->pairs.input.empty()) return run_table(*options);
-    if (options->file.empty())
-      throw InputError("contact", "nothing to do", "a contact file, or --pairs with a table");
+    if (options->file.empty()) throw InputError("contact", "nothing to do", "a contact file, or --pairs with a table");
     run_contact(*options);
   });
 }

@@ -66,15 +66,16 @@ ContactAnalysis analyse(const io::ContactFile& input) {
   const std::optional<ContactEllipse> ellipse = ellipse_of(contact.relative);
   if (!ellipse) return analysis;
   const double radius = smallest_radius(contact);
-  analysis.hertz = HertzContact{
-      .ellipse = *ellipse,
-      .contact = hertz::contact(*ellipse, analysis.effective_modulus, contact.overlap, radius),
-      .smallest_radius = radius};
+  analysis.hertz =
+      HertzContact{.ellipse = *ellipse,
+                   .contact = hertz::contact(*ellipse, analysis.effective_modulus, contact.overlap, radius),
+                   .smallest_radius = radius};
 
   analysis.models.push_back({label_of(CurvatureModel::exact), contact.relative, analysis.hertz->contact.force});
   constexpr double uncapped = std::numeric_limits<double>::infinity();
-  constexpr std::array<std::pair<CurvatureModel, double>, 3> simpler{
-      {{CurvatureModel::gaussian, review_cap}, {CurvatureModel::mean, uncapped}, {CurvatureModel::volume_equivalent, uncapped}}};
+  constexpr std::array<std::pair<CurvatureModel, double>, 3> simpler{{{CurvatureModel::gaussian, review_cap},
+                                                                      {CurvatureModel::mean, uncapped},
+                                                                      {CurvatureModel::volume_equivalent, uncapped}}};
   for (const auto& [model, cap] : simpler) {
     const RelativeCurvature relative = relative_curvature(model, contact.normal, body_1, body_2, cap);
     ModelForce simpler_force{.model = label_of(model), .relative = relative, .force = std::nullopt};

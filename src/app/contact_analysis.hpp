@@ -29,9 +29,9 @@ struct ContactAnalysis {
   double volume_radius_1;  ///< R_vol [m], ∞ for walls
   double volume_radius_2;
   ContactGeometry geometry;
-  double effective_modulus;              ///< Ê [Pa]
-  std::optional<HertzContact> hertz;     ///< nothing when the bodies are apart, unresolved or flat without a cap
-  std::vector<ModelForce> models;        ///< empty when `hertz` is; the first is the exact one
+  double effective_modulus;           ///< Ê [Pa]
+  std::optional<HertzContact> hertz;  ///< nothing when the bodies are apart, unresolved or flat without a cap
+  std::vector<ModelForce> models;     ///< empty when `hertz` is; the first is the exact one
 
   double volume_radius() const { return volume_radius_1 < volume_radius_2 ? volume_radius_1 : volume_radius_2; }
 };

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t pairs_per_block = 4096;
 constexpr double warm_displacement = 1e-4;
-constexpr std::string_view output_header = "status,nx,ny,nz,depth,p1x,p1y,p1z,p2x,p2y,p2z,k1max,k1min,k2max,k2min,Ri,Rj\n";
+constexpr std::string_view output_header =
+    "status,nx,ny,nz,depth,p1x,p1y,p1z,p2x,p2y,p2z,k1max,k1min,k2max,k2min,Ri,Rj\n";
 
 /// Appends ",value" with 17 significant digits: every double comes back as itself.
 void append_number(std::string& line, double value) {
@@ -48,7 +49,8 @@ void append_contact(std::string& text, const ContactGeometry& contact) {
   text += '\n';
 }
 
-/// The pose from which a warm start comes: turned and moved by a small amount in directions that vary from line to line.
+/// The pose from which a warm start comes: turned and moved by a small amount in directions that vary from line to
+/// line.
 Pose displaced(const Pose& pose, const Superquadric& shape, std::size_t line) {
   // Golden-angle spiral: directions spread over the sphere whatever the number of lines.
   constexpr double golden_angle = 2.399963229728653;
@@ -107,8 +109,8 @@ std::string summary(const std::map<ContactStatus, std::size_t>& counts, double s
 
 int run_pairs(const PairsRequest& request) {
   const auto begin = std::chrono::steady_clock::now();
-  io::PairTableReader reader(
-      request.input, request.compare ? io::ReferenceColumns::require : io::ReferenceColumns::ignore);
+  io::PairTableReader reader(request.input,
+                             request.compare ? io::ReferenceColumns::require : io::ReferenceColumns::ignore);
   std::optional<io::AtomicFile> output;
   if (!request.output.empty()) {
     output.emplace(request.output);

@@ -12,7 +12,8 @@ enum class Evaluation {
 
 enum class Start {
   cold,
-  warm,  ///< from the answer of the same pair with body 2 turned and moved by 1e-4 (radians, and of its smallest half-axis)
+  warm,  ///< from the answer of the same pair with body 2 turned and moved by 1e-4 (radians, and of its smallest
+         ///< half-axis)
 };
 
 struct PairsRequest {

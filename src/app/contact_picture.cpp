@@ -15,6 +15,7 @@ namespace {
 
 constexpr int mesh_resolution = 64;
 constexpr double body_opacity = 0.45;
+constexpr double wall_opacity = 0.25;
 
 /// 1, 2 or 5 times a power of ten, not above `value`; at least 1.
 double round_factor(double value) {
@@ -29,12 +30,16 @@ double reach_of(const ContactAnalysis& analysis) {
 }
 
 io::PictureBody body_of(const io::ContactFileBody& body, const Vec3& contact_point, double reach, io::Colour colour) {
-  io::PictureBody drawn{.pose = body.pose, .colour = colour, .opacity = body_opacity};
   constexpr double patch_size = 1.5;
-  drawn.mesh = is_particle(body.shape)
-                   ? surface_mesh(body.shape, mesh_resolution)
-                   : wall_patch(body.shape, body.pose.to_body(contact_point), patch_size * reach);
-  return drawn;
+  if (is_particle(body.shape))
+    return {.mesh = surface_mesh(body.shape, mesh_resolution),
+            .pose = body.pose,
+            .colour = colour,
+            .opacity = body_opacity};
+  return {.mesh = wall_patch(body.shape, body.pose.to_body(contact_point), patch_size * reach),
+          .pose = body.pose,
+          .colour = colour,
+          .opacity = wall_opacity};
 }
 
 void add_ellipse(const ContactAnalysis& analysis, io::Picture& picture) {
@@ -51,8 +56,8 @@ void add_ellipse(const ContactAnalysis& analysis, io::Picture& picture) {
     ellipse.points.push_back(contact.point() + std::cos(angle) * major + std::sin(angle) * minor);
   }
   picture.lines.push_back(ellipse);
-  picture.notes.push_back(fmt::format("a_c = {}, b_c = {}; the contact ellipse is drawn {}", io::quantity_text(hertz.a_c, "m"),
-                                      io::quantity_text(hertz.b_c, "m"),
+  picture.notes.push_back(fmt::format("a_c = {}, b_c = {}; the contact ellipse is drawn {}",
+                                      io::quantity_text(hertz.a_c, "m"), io::quantity_text(hertz.b_c, "m"),
                                       factor > 1.0 ? fmt::format("{:g} times its size", factor) : "to scale"));
 }
 
@@ -76,7 +81,8 @@ void write_contact_picture(const ContactAnalysis& analysis, const std::filesyste
   picture.bodies.push_back(body_of(analysis.input.body_1, centre, reach, io::palette::blue));
   picture.bodies.push_back(body_of(analysis.input.body_2, centre, reach, io::palette::orange));
   if (is_resolved(contact.status)) {
-    picture.notes.push_back(fmt::format("{}: {} = {}", name(contact.status), contact.overlap < 0.0 ? "gap" : "overlap δ",
+    picture.notes.push_back(fmt::format("{}: {} = {}", name(contact.status),
+                                        contact.overlap < 0.0 ? "gap" : "overlap δ",
                                         io::quantity_text(std::fabs(contact.overlap), "m")) +
                             (analysis.hertz ? ", force " + io::quantity_text(analysis.hertz->contact.force, "N") : ""));
     const Vec3 tip = contact.point() + analysis.volume_radius() * contact.normal;

@@ -68,7 +68,8 @@ std::string curvature_text(const ContactAnalysis& analysis) {
   if (!is_resolved(contact.status)) return "";
   constexpr int digits = 6;
   const auto number = [](double value) { return fmt::format("{:#.6g}", value); };
-  io::Table table{{"Principal curvatures", "k_max [1/m]", "k_min [1/m]", "direction of k_max", "direction of k_min"}, {}};
+  io::Table table{{"Principal curvatures", "k_max [1/m]", "k_min [1/m]", "direction of k_max", "direction of k_min"},
+                  {}};
   const auto add = [&](const char* body, const PrincipalCurvatures& curvature, const Vec3& outward) {
     const Vec3 other = outward.cross(curvature.max_direction);
     table.rows.push_back({body, number(curvature.max), number(curvature.min),
@@ -112,14 +113,21 @@ std::string hertz_text(const ContactAnalysis& analysis) {
   return text;
 }
 
+std::string error_text(double relative_error) {
+  constexpr double smallest_written = 5e-6;
+  if (std::fabs(relative_error) < smallest_written) return "0.000 %";
+  return fmt::format("{:+.3f} %", 100.0 * relative_error);
+}
+
 std::string models_text(const ContactAnalysis& analysis) {
   if (analysis.models.empty()) return "";
   io::Table table{{"Same overlap, by model", "R_i", "R_j", "force", "error"}, {}};
-  const auto row = [&](const std::string& model, const RelativeCurvature& relative, const std::optional<double>& force) {
+  const auto row = [&](const std::string& model, const RelativeCurvature& relative,
+                       const std::optional<double>& force) {
     const double exact = analysis.hertz->contact.force;
-    table.rows.push_back({fmt::format("  {}", model), quantity_text(relative.R_i, "m"), quantity_text(relative.R_j, "m"),
-                          force ? quantity_text(*force, "N") : "-",
-                          force ? fmt::format("{:+.3f} %", 100.0 * (*force / exact - 1.0)) : "-"});
+    table.rows.push_back({fmt::format("  {}", model), quantity_text(relative.R_i, "m"),
+                          quantity_text(relative.R_j, "m"), force ? quantity_text(*force, "N") : "-",
+                          force ? error_text(*force / exact - 1.0) : "-"});
   };
   for (const ModelForce& model : analysis.models) row(model.model, model.relative, model.force);
   return fmt::format("\n{}", io::to_text(table));
@@ -198,7 +206,8 @@ std::string to_json(const ContactAnalysis& analysis) {
                        {"validity", name(hertz.validity)}};
   }
   for (const ModelForce& model : analysis.models) {
-    json entry{{"model", model.model}, {"relative", relative_of(model.relative)}, {"force", nullptr}, {"error", nullptr}};
+    json entry{
+        {"model", model.model}, {"relative", relative_of(model.relative)}, {"force", nullptr}, {"error", nullptr}};
     if (model.force) {
       entry["force"] = number_of(*model.force);
       entry["error"] = number_of(*model.force / analysis.hertz->contact.force - 1.0);

@@ -64,8 +64,8 @@ std::vector<RandomPair> random_pairs(const PairClass& pair_class, std::size_t co
   return pairs;
 }
 
-/// Moves every body 2 along its line until the overlap is `overlap` (R_vol = 1): the overlap is concave in the distance,
-/// with slope −n·line, so that Newton from outside converges steadily.
+/// Moves every body 2 along its line until the overlap is `overlap` (R_vol = 1): the overlap is concave in the
+/// distance, with slope −n·line, so that Newton from outside converges steadily.
 void set_overlap(std::vector<RandomPair>& pairs, double overlap) {
   constexpr int steps = 30;
   ContactCaches caches;
@@ -107,7 +107,8 @@ Timing time_warm(const std::vector<RandomPair>& pairs, Solver solve, Gap gap, co
   ContactCaches caches;
   caches.resize(pairs.size());
   ContactColumns contacts;
-  return time_of(pairs.size(), settings.repetitions, [] {}, [&] { solve(poses.next(), caches, contacts, gap); });
+  return time_of(
+      pairs.size(), settings.repetitions, [] {}, [&] { solve(poses.next(), caches, contacts, gap); });
 }
 
 Timing time_cold(const std::vector<RandomPair>& pairs, Solver solve, const NarrowSettings& settings) {
@@ -162,14 +163,10 @@ std::vector<PairClass> narrow_classes() {
   const auto shape = [](double a, double b, double c, double n1, double n2) {
     return of_unit_size({.half_axes = {a, b, c}, .exponents = {.n1 = n1, .n2 = n2}});
   };
-  std::vector<PairClass> classes{{"sphere", {shape(1, 1, 1, 2, 2)}},
-                                 {"ellipsoid", {shape(1, 1, 2, 2, 2)}},
-                                 {"blocky", {shape(1, 1, 1, 4, 4)}},
-                                 {"box", {shape(1, 1, 2, 6, 6)}},
-                                 {"cylinder", {shape(1, 1, 1.5, 8, 2)}},
-                                 {"needle", {shape(1, 1, 5, 3, 3)}},
-                                 {"sharpbox", {shape(1, 2, 3, 12, 12)}},
-                                 {"octa", {shape(1, 1, 1, 1.3, 1.3)}}};
+  std::vector<PairClass> classes{{"sphere", {shape(1, 1, 1, 2, 2)}},     {"ellipsoid", {shape(1, 1, 2, 2, 2)}},
+                                 {"blocky", {shape(1, 1, 1, 4, 4)}},     {"box", {shape(1, 1, 2, 6, 6)}},
+                                 {"cylinder", {shape(1, 1, 1.5, 8, 2)}}, {"needle", {shape(1, 1, 5, 3, 3)}},
+                                 {"sharpbox", {shape(1, 2, 3, 12, 12)}}, {"octa", {shape(1, 1, 1, 1.3, 1.3)}}};
   PairClass mixed{"mixed", {}};
   for (const PairClass& one : classes)
     if (one.name != "sphere" && one.name != "octa") mixed.shapes.push_back(one.shapes.front());

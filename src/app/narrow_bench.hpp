@@ -22,8 +22,8 @@ std::vector<PairClass> narrow_classes();
 struct NarrowSettings {
   std::size_t pairs = 1024;
   int repetitions = 31;
-  double overlap = 0.01;      ///< / R_vol
-  double pose_change = 1e-4;  ///< [rad] and / R_vol between two warm calls
+  double overlap = 0.01;        ///< / R_vol
+  double pose_change = 1e-4;    ///< [rad] and / R_vol between two warm calls
   double epa_tolerance = 1e-6;  ///< of libccd's EPA [m²]
   unsigned seed = 1;
 };
@@ -41,5 +41,9 @@ struct NarrowTimes {
 };
 
 NarrowTimes time_narrow_phase(const PairClass& pair_class, const NarrowSettings& settings);
+
+/// The elliptical Hertz contact, from the radii of relative curvature to force, ellipse, pressure, stiffness and
+/// energy.
+Timing time_hertz(const NarrowSettings& settings);
 
 }  // namespace osculate::app

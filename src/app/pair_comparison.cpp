@@ -82,9 +82,8 @@ void PairComparison::add(const io::PairBlock& block, const ContactColumns& compu
     if (contact.status == ContactStatus::ambiguous) ++worst.ambiguous;
     if (known.gap_to_next_minimum > tolerances_.next_minimum * shape_1.half_axes.x()) {
       const double normal = angle_between(contact.normal, known.normal);
-      const double curvature =
-          worse(curvature_difference(contact.curvature_1, known.k1_max, known.k1_min, radius_1),
-                curvature_difference(contact.curvature_2, known.k2_max, known.k2_min, radius_2));
+      const double curvature = worse(curvature_difference(contact.curvature_1, known.k1_max, known.k1_min, radius_1),
+                                     curvature_difference(contact.curvature_2, known.k2_max, known.k2_min, radius_2));
       worst.normal = worse(worst.normal, normal);
       worst.curvature = worse(worst.curvature, curvature);
       worst.point = worse(worst.point, (contact.on_1 - known.on_1).norm() / radius);
@@ -102,9 +101,9 @@ bool PairComparison::passed() const {
 }
 
 std::string to_text(const PairComparison& comparison) {
-  io::Table table{.header = {"class", "lines", "|Δδ|/R_vol", "normal [rad]", "points/R_vol", "curvature", "ambiguous",
-                             "failing"},
-                  .rows = {}};
+  io::Table table{
+      .header = {"class", "lines", "|Δδ|/R_vol", "normal [rad]", "points/R_vol", "curvature", "ambiguous", "failing"},
+      .rows = {}};
   std::size_t lines = 0;
   std::vector<std::size_t> failing;
   for (const ClassDifferences& worst : comparison.classes()) {

@@ -12,10 +12,10 @@ namespace osculate::app {
 
 /// How far a contact may be from the known answer. R_vol is the smaller body's volume-equivalent radius.
 struct PairTolerances {
-  double depth = 1e-12;               ///< |Δδ| / R_vol
-  double normal = 1e-9;               ///< angle [rad]
-  double curvature = 1e-8;            ///< relative, or times 1/R_vol where the surface is nearly flat
-  double next_minimum = 1e-9;         ///< / a1: a nearer second minimum makes every number but the depth ambiguous
+  double depth = 1e-12;        ///< |Δδ| / R_vol
+  double normal = 1e-9;        ///< angle [rad]
+  double curvature = 1e-8;     ///< relative, or times 1/R_vol where the surface is nearly flat
+  double next_minimum = 1e-9;  ///< / a1: a nearer second minimum makes every number but the depth ambiguous
 };
 
 /// The worst of one class; differences of points are in units of R_vol.

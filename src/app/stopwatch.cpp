@@ -21,7 +21,9 @@ Timing time_of(std::size_t items, int repetitions, const std::function<void()>& 
                     static_cast<double>(items));
   }
   std::sort(times.begin(), times.end());
-  const auto at = [&](double part) { return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))]; };
+  const auto at = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
   return {.median = at(0.5), .spread = 0.5 * (at(0.75) - at(0.25))};
 }
 

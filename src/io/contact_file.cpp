@@ -15,9 +15,8 @@ namespace osculate::io {
 namespace {
 
 // Softer than any gel that keeps its form, stiffer than diamond: outside, a unit was forgotten.
-const Range plausible_modulus{.lower = 1e3,
-                              .upper = 2e12,
-                              .hint = " (a modulus without a unit is in Pa; write \"70 GPa\")"};
+const Range plausible_modulus{
+    .lower = 1e3, .upper = 2e12, .hint = " (a modulus without a unit is in Pa; write \"70 GPa\")"};
 // Centres this many bounding radii apart are no contact to analyse but a slip of the unit.
 constexpr double implausible_distance = 1000.0;
 
@@ -74,8 +73,9 @@ void check_together(const TomlTable& file, const TomlTable& table_2, const Conta
   const double reach = bounding_radius(shape_1) + bounding_radius(shape_2);
   const double distance = (contact.body_2.pose.position - contact.body_1.pose.position).norm();
   if (distance > implausible_distance * reach)
-    throw table_2.error("position", fmt::format("centres {:.3g} m apart, with bodies that reach {:.3g} m together", distance, reach),
-                        "bodies near each other (positions without a unit are in length_unit, m if there is none)");
+    throw table_2.error(
+        "position", fmt::format("centres {:.3g} m apart, with bodies that reach {:.3g} m together", distance, reach),
+        "bodies near each other (positions without a unit are in length_unit, m if there is none)");
 }
 
 }  // namespace

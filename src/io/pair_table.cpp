@@ -74,7 +74,8 @@ Pose PairBlock::pose(std::size_t i, std::size_t body) const {
 
 PairTableReader::PairTableReader(const std::string& path, ReferenceColumns reference)
     : path_(path), with_reference_(reference == ReferenceColumns::require), file_(std::fopen(path.c_str(), "rb")) {
-  if (!file_) throw InputError(path_, std::string("cannot be opened (") + std::strerror(errno) + ")", "a table of pairs");
+  if (!file_)
+    throw InputError(path_, std::string("cannot be opened (") + std::strerror(errno) + ")", "a table of pairs");
   if (std::fseek(file_.get(), 0, SEEK_END) == 0) {
     file_bytes_ = static_cast<double>(std::ftell(file_.get()));
     std::rewind(file_.get());
@@ -84,7 +85,8 @@ PairTableReader::PairTableReader(const std::string& path, ReferenceColumns refer
 }
 
 double PairTableReader::progress() const {
-  return file_bytes_ > 0.0 ? std::clamp((read_bytes_ - static_cast<double>(end_ - begin_)) / file_bytes_, 0.0, 1.0) : 0.0;
+  return file_bytes_ > 0.0 ? std::clamp((read_bytes_ - static_cast<double>(end_ - begin_)) / file_bytes_, 0.0, 1.0)
+                           : 0.0;
 }
 
 std::optional<std::string_view> PairTableReader::next_line() {

@@ -23,9 +23,10 @@ inline constexpr std::array<std::string_view, 2 * SuperquadricPairs::per_body> p
     "a2", "b2", "c2", "n1_2", "n2_2", "x2", "y2", "z2", "qw2", "qx2", "qy2", "qz2"};
 
 /// The columns with a known answer that a computed one can be compared with.
-inline constexpr std::array<std::string_view, 15> reference_columns{"nx",    "ny",    "nz",    "depth", "p1x",
-                                                                    "p1y",   "p1z",   "p2x",   "p2y",   "p2z",
-                                                                    "k1max", "k1min", "k2max", "k2min", "gap_to_next_minimum"};
+inline constexpr std::array<std::string_view, 15> reference_columns{
+    "nx",    "ny",    "nz",    "depth", "p1x",
+    "p1y",   "p1z",   "p2x",   "p2y",   "p2z",
+    "k1max", "k1min", "k2max", "k2min", "gap_to_next_minimum"};
 
 /// Consecutive pairs of a table, column by column (structure of arrays).
 struct PairBlock {
@@ -45,10 +46,7 @@ struct PairBlock {
   Pose pose(std::size_t i, std::size_t body) const;
 };
 
-enum class ReferenceColumns {
-  ignore,
-  require
-};
+enum class ReferenceColumns { ignore, require };
 
 /// Reads a table block by block, so that its length is bounded by the disk only.
 /// Throws InputError with file, line and column: missing columns, text that is no finite number, half-axes ≤ 0,

@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -35,7 +34,8 @@ void write(const std::filesystem::path& path, const std::string& text) {
 }
 
 /// The table with one field of one line (from 1) replaced.
-std::string with_field(const std::string& table, std::size_t line, const std::string& column, const std::string& value) {
+std::string with_field(const std::string& table, std::size_t line, const std::string& column,
+                       const std::string& value) {
   std::vector<std::string> lines = split(table, '\n');
   const std::vector<std::string> header = split(lines[0], ',');
   std::vector<std::string> fields = split(lines[line - 1], ',');

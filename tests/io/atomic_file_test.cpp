@@ -1,7 +1,6 @@
 #include "io/atomic_file.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,7 +1,6 @@
 #include "io/contact_file.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -89,9 +88,11 @@ TEST_CASE("A bad contact file is refused with file, line, key, what was found an
              Contains("osculate_contact_test.toml:8") && Contains("orientatoin") && Contains("orientation"));
   CHECK_THAT(error_of(replaced("[1, 0, 0, 0]", "[1, 0, 0, 0.1]")),
              Contains("osculate_contact_test.toml:8") && Contains("body_2.orientation") && Contains("unit quaternion"));
-  CHECK_THAT(error_of(replaced("[1, 0, 0, 0]", "{axis = [0, 0, 0], angle = 3}")), Contains("axis") && Contains("a direction"));
+  CHECK_THAT(error_of(replaced("[1, 0, 0, 0]", "{axis = [0, 0, 0], angle = 3}")),
+             Contains("axis") && Contains("a direction"));
   CHECK_THAT(error_of(replaced("2.9]", "nan]")), Contains(":7:") && Contains("position") && Contains("nan"));
-  CHECK_THAT(error_of(replaced("[3, 2, 1]", "[3, -2, 1]")), Contains(":6:") && Contains("half_axes") && Contains("-0.002"));
+  CHECK_THAT(error_of(replaced("[3, 2, 1]", "[3, -2, 1]")),
+             Contains(":6:") && Contains("half_axes") && Contains("-0.002"));
   CHECK_THAT(error_of(replaced("n = [4, 2]", "n = [4, 1]")), Contains(":6:") && Contains("64"));
   CHECK_THAT(error_of(replaced("material = \"glass\"\n", "")), Contains("body_1") && Contains("material"));
   CHECK_THAT(error_of(replaced("\"glass\"", "\"glas\"")), Contains(":4:") && Contains("glass") && Contains("steel"));
@@ -106,7 +107,8 @@ TEST_CASE("Slips of the unit are flagged where the numbers become absurd") {
   CHECK_THAT(error_of(replaced("\"3 GPa\"", "3")), Contains("youngs_modulus") && Contains("GPa"));
   // Millimetres read as metres.
   CHECK_THAT(error_of(replaced("2.9]", "\"2.9 m\"]")).substr(0), Contains("no error"));
-  CHECK_THAT(error_of(replaced("2.9]", "\"29 m\"]")), Contains(":7:") && Contains("position") && Contains("near each other"));
+  CHECK_THAT(error_of(replaced("2.9]", "\"29 m\"]")),
+             Contains(":7:") && Contains("position") && Contains("near each other"));
   CHECK_THAT(error_of(replaced("radius = 2}", "radius = \"200 m\"}")), Contains(":3:") && Contains("400 m across"));
 }
 

@@ -1,7 +1,6 @@
 #include "io/pair_table.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -69,8 +68,8 @@ TEST_CASE("A pair is read into both bodies' shapes and poses") {
 }
 
 TEST_CASE("Columns come in any order, others are ignored, and lines may end as Windows ends them") {
-  PairTableReader reader(table("colour, class ," + header + ",weight\r\nblue, rice ," + line + ",heavy\r\n\r\nred,egg," + line +
-                               ",light"));
+  PairTableReader reader(table("colour, class ," + header + ",weight\r\nblue, rice ," + line +
+                               ",heavy\r\n\r\nred,egg," + line + ",light"));
   PairBlock block;
   REQUIRE(reader.read(block, 10));
   REQUIRE(block.size() == 2);
@@ -109,14 +108,17 @@ TEST_CASE("Every kind of bad table is refused with its file, line, column and wh
   CHECK_THAT(error_of(""), Contains("test.csv:1: no header; expected"));
   CHECK_THAT(error_of("a1,b1\n"), Contains("missing column c1, n1_1") && Contains("in any order"));
   CHECK_THAT(error_of(header + ",a1\n"), Contains("column a1 appears twice"));
-  CHECK_THAT(error_of(header + "\n" + line + "\n1,2,3\n"), Contains("test.csv:3: 3 fields; expected 24 as in the header"));
-  CHECK_THAT(error_of(header + "\n" + with(6, "abc")), Contains("test.csv:2: column y1: \"abc\"; expected a finite number"));
+  CHECK_THAT(error_of(header + "\n" + line + "\n1,2,3\n"),
+             Contains("test.csv:3: 3 fields; expected 24 as in the header"));
+  CHECK_THAT(error_of(header + "\n" + with(6, "abc")),
+             Contains("test.csv:2: column y1: \"abc\"; expected a finite number"));
   CHECK_THAT(error_of(header + "\n" + with(6, "1.5e")), Contains("column y1: \"1.5e\"; expected a finite number"));
   CHECK_THAT(error_of(header + "\n" + with(6, "")), Contains("column y1: \"\"; expected a finite number"));
   CHECK_THAT(error_of(header + "\n" + with(6, "nan")), Contains("column y1: \"nan\"; expected a finite number"));
   CHECK_THAT(error_of(header + "\n" + with(6, "inf")), Contains("column y1: \"inf\"; expected a finite number"));
   CHECK_THAT(error_of(header + "\n" + with(13, "-2")), Contains("column b2: -2; expected a half-axis above 0"));
-  CHECK_THAT(error_of(header + "\n" + with(3, "1")), Contains("column n1_1: 1; expected an exponent n = 2/eta in (1, 64]"));
+  CHECK_THAT(error_of(header + "\n" + with(3, "1")),
+             Contains("column n1_1: 1; expected an exponent n = 2/eta in (1, 64]"));
   CHECK_THAT(error_of(header + "\n" + with(16, "65")), Contains("column n2_2: 65; expected an exponent"));
   CHECK_THROWS_WITH(PairTableReader("no_such_table.csv"), Contains("no_such_table.csv: cannot be opened"));
   CHECK_THROWS_WITH(PairTableReader(table(header + "\n"), ReferenceColumns::require),

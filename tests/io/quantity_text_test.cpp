@@ -1,7 +1,6 @@
 #include "io/quantity_text.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <limits>
 
 using osculate::io::quantity_text;
