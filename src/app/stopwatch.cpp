@@ -1,24 +1,34 @@
 #include "app/stopwatch.hpp"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 namespace osculate::app {
+namespace {
+
+/// The processor time of this thread [ns]: what other programs take meanwhile does not count.
+double thread_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  constexpr double nanoseconds_per_second = 1e9;
+  return nanoseconds_per_second * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
 
 Timing time_of(std::size_t items, int repetitions, const std::function<void()>& prepare,
                const std::function<void()>& work) {
-  using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   // The first run, untimed, warms the memory and the processor.
   prepare();
   work();
   for (int i = 0; i < repetitions; ++i) {
     prepare();
-    const Clock::time_point start = Clock::now();
+    const double start = thread_time();
     work();
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
-                    static_cast<double>(items));
+    times.push_back((thread_time() - start) / static_cast<double>(items));
   }
   std::sort(times.begin(), times.end());
   const auto at = [&](double part) {

@@ -1,5 +1,5 @@
 #pragma once
-// Timing of short work by repetition.
+// Timing of short work by repetition, in processor time.
 
 #include <functional>
 
