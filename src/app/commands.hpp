@@ -4,4 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace osculate::app {}  // namespace osculate::app
+namespace osculate::app {
+
+/// `review`: the review's tables, computed anew.
+void add_review(CLI::App& program);
+
+}  // namespace osculate::app

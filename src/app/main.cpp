@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   CLI::App program{"Osculate: contact mechanics and the discrete element method of non-spherical particles"};
   program.name("osculate");
   program.require_subcommand(1);
+  osculate::app::add_review(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
