@@ -1,9 +1,10 @@
-// The common normal of two convex bodies, as a template over the number type and the kind of body.
+// The common normal of two convex bodies, as a template over the number type and the kinds of surface.
 //
-// A body answers with a jet: a surface point, its outward normal and the response A of its surface, a matrix between 0
-// (flat) and 1 (sharp) in the tangent plane: a displacement y on the surface blown up by the length L turns the normal
-// by A y and moves the point by L (1 − A) y. With curvature K, A = LK (1 + LK)⁻¹, but A stays finite and well
-// conditioned for faces (K = 0) and for rims (K = ∞) alike, so that one Newton step serves every shape.
+// Newton's method moves a point on each body so that the outward normals become opposite and the points lie on one
+// line along them. A surface tells how its normal turns as its point moves: by its shape operator K where curvatures
+// are bounded; else by its response A, a matrix between 0 (flat) and 1 (sharp): a displacement y of the surface blown
+// up by the length L turns the normal by A y and moves the point by L (1 − A) y. A = LK (1 + LK)⁻¹ stays finite and
+// well conditioned on rims too, where K = ∞.
 #if defined(OSCULATE_GEOMETRY_COMMON_NORMAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_GEOMETRY_COMMON_NORMAL_INL
 #undef OSCULATE_GEOMETRY_COMMON_NORMAL_INL
@@ -11,166 +12,239 @@
 #define OSCULATE_GEOMETRY_COMMON_NORMAL_INL
 #endif
 
-#include "core/vector-inl.hpp"
-#include "geometry/curvature-inl.hpp"
+#include "shapes/superquadric_surface-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// Response of a surface along which the point moves by `points` and the normal turns by `normals` (columns).
-template <class Real>
-HWY_INLINE Mat2<Real> response(const Mat2<Real>& points, const Mat2<Real>& normals, const Real& length) {
-  const Real inverse_length = Real(1.0) / length;
-  const Mat2<Real> blown_up = inverse_length * points + normals;
-  return (Real(1.0) / determinant(blown_up)) * (normals * adjugate(blown_up));
-}
+/// Two surfaces in the frame of the first.
+template <class Real, class Surface1, class Surface2>
+struct SurfacePair {
+  using Number = Real;
+
+  Surface1 surface_1;
+  Surface2 surface_2;
+  Rotation<Real> rotation;  ///< frame of body 2 → frame of body 1
+  V3<Real> centre_2;
+  Real length, inverse_length;  ///< L, of the order of the smaller body
+
+  HWY_INLINE auto lift_1(const V3<Real>& point, const V3<Real>& normal) const { return surface_1.lift(point, normal); }
+  HWY_INLINE auto lift_2(const V3<Real>& point, const V3<Real>& normal) const {
+    return in_frame_1(surface_2.lift(rotation.apply_inverse(point - centre_2), rotation.apply_inverse(normal)));
+  }
+  HWY_INLINE auto support_1(const V3<Real>& normal) const { return surface_1.support(normal); }
+  HWY_INLINE auto support_2(const V3<Real>& normal) const {
+    return in_frame_1(surface_2.support(rotation.apply_inverse(normal)));
+  }
+  /// Second-order parts of a jet stay in the body frame; bases are turned to meet them.
+  HWY_INLINE TangentBasis<Real> basis_in_2(const TangentBasis<Real>& basis) const {
+    return {rotation.apply_inverse(basis.e1), rotation.apply_inverse(basis.e2)};
+  }
+
+ private:
+  template <class Jet>
+  HWY_INLINE Jet in_frame_1(Jet jet) const {
+    jet.point = rotation.apply(jet.point) + centre_2;
+    jet.normal = rotation.apply(jet.normal);
+    return jet;
+  }
+};
 
 /// A point of each body and the outward normals there, in the frame of body 1.
 template <class Real>
 struct Touch {
   V3<Real> point_1, normal_1, point_2, normal_2;
 };
-
 template <class Real>
 HWY_INLINE Touch<Real> select(MaskType<Real> condition, const Touch<Real>& yes, const Touch<Real>& no) {
   return {select(condition, yes.point_1, no.point_1), select(condition, yes.normal_1, no.normal_1),
           select(condition, yes.point_2, no.point_2), select(condition, yes.normal_2, no.normal_2)};
 }
 
-/// One Newton step towards n1 = −n2 and (p1 − p2) ∥ n1, and what it was computed from.
+/// One Newton step. In the plane normal to body 1's normal, lengths over L.
 template <class Real>
 struct Step {
-  V3<Real> normal;            ///< of both bodies, from 1 to 2
-  TangentBasis<Real> basis;   ///< perpendicular to `normal`
-  Real overlap;               ///< (p1 − p2)·normal
-  V2<Real> mismatch, offset;  ///< tangential parts of n1 + n2 and (p1 − p2)/L: zero at the answer
-  V2<Real> turn_1, turn_2;    ///< changes of the normals
-  V2<Real> move_1, move_2;    ///< changes of the points over L
-  Real weight_1, weight_2;    ///< trust in each body's normal when they differ: trace of its radii of curvature
-  MaskType<Real> descends;    ///< the second variation of the overlap is positive: a minimum lies ahead
+  V2<Real> mismatch;        ///< n1 + n2: zero at the answer
+  V2<Real> offset;          ///< p1 − p2: zero at the answer
+  Real depth;               ///< (p1 − p2)·n1
+  V2<Real> turn_1, turn_2;  ///< changes of the normals
+  V2<Real> move_1, move_2;  ///< changes of the points
+  Real trust_1, trust_2;    ///< weight of each body's normal where they differ: its radii of curvature
+  MaskType<Real> descends;  ///< the second variation of the overlap is not negative: a minimum lies ahead
 };
 
-/// Weights are proportional to tr(1/A − 1), cleared of denominators.
-template <class Real>
-HWY_INLINE void solve(const Mat2<Real>& A1, const Mat2<Real>& A2, const Real& length, Step<Real>& step) {
-  const Real one(1.0), two(2.0);
-  const Real det_1 = determinant(A1), det_2 = determinant(A2);
-  const Real radii_1 = (trace(A1) - two * det_1) * det_2, radii_2 = (trace(A2) - two * det_2) * det_1;
-  step.weight_1 = radii_1;
-  step.weight_2 = radii_2;
+/// Curvatures below this (times L) are round-off: a flat direction is left alone instead of being searched.
+constexpr double flat_limit = 1e-14;
 
-  // M = A1 + A2 − (2 + δ/L) A2 A1; A2⁻¹ M A1⁻¹ is the second variation R1 + R2 − δ over L.
-  const Mat2<Real> product = A2 * A1, sum = A1 + A2;
-  Real depth = step.overlap / length;
-  Mat2<Real> M = sum + (-two - depth) * product;
-  Real det_M = determinant(M);
-  step.descends = (det_M > Real(0.0)) & (radii_1 + radii_2 - two * depth * det_1 * det_2 > Real(0.0));
+/// M y = right with M = sum − (factor + depth) product, the second variation of the overlap seen from body 1.
+/// Where it is not positive, the overlap term is left out: what remains leads downhill.
+template <class Real>
+HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Real>& product, double factor,
+                                           const V2<Real>& right, Step<Real>& step) {
+  const Real zero(0.0), floor_value(flat_limit);
+  const auto variation = [&](const Real& depth) {
+    Mat2<Real> M = sum + (-(Real(factor) + depth)) * product;
+    M.column_1.p += floor_value;
+    M.column_2.q += floor_value;
+    return M;
+  };
+  Mat2<Real> M = variation(step.depth);
+  Real det = determinant(M);
+  step.descends = (det > zero) & (trace(M) > zero);
   if (any(!step.descends)) {
-    // Without the overlap term the second variation is positive: a descent direction of the overlap.
-    depth = select(step.descends, depth, min(depth, Real(0.0)));
-    M = sum + (-two - depth) * product;
-    det_M = determinant(M);
+    M = variation(select(step.descends, step.depth, min(step.depth, zero)));
+    det = max(determinant(M), Real(flat_limit * flat_limit));
   }
-  const V2<Real>& e = step.mismatch;
-  const V2<Real> rho = step.offset - (Real(0.5) * depth) * e;
-  const V2<Real> right = -one * (e + A2 * (rho - e));
-  const Real tiny(1e-290);
-  const V2<Real> y1 = (one / max(det_M, tiny)) * (adjugate(M) * right);
-  const V2<Real> A1y1 = A1 * y1;
-  const V2<Real> y2 = y1 - (two + depth) * A1y1 + rho - e;
-  step.turn_1 = A1y1;
+  return (Real(1.0) / det) * (adjugate(M) * right);
+}
+
+template <class Real>
+HWY_INLINE Mat2<Real> matrix(const Sym2<Real>& m) {
+  return {{m.pp, m.pq}, {m.pq, m.qq}};
+}
+
+/// From shape operators: (K1 + K2 − δ K2 K1) t1 = −e − K2 r, t2 = t1 − δ K1 t1 + r.
+template <class Real>
+HWY_INLINE void solve(const Sym2<Real>& shape_1, const Sym2<Real>& shape_2, const Real& length, Step<Real>& step) {
+  const Sym2<Real> K1 = length * shape_1, K2 = length * shape_2;
+  const V2<Real>&e = step.mismatch, &r = step.offset;
+  const V2<Real> t1 =
+      solve_second_variation(matrix(K1 + K2), matrix(K2) * matrix(K1), 0.0, Real(-1.0) * (e + K2 * r), step);
+  const V2<Real> turn = K1 * t1;
+  const V2<Real> t2 = t1 - step.depth * turn + r;
+  step.turn_1 = turn;
+  step.turn_2 = K2 * t2;
+  step.move_1 = t1;
+  step.move_2 = t2;
+  step.trust_1 = (K1.pp + K1.qq) * determinant(K2);
+  step.trust_2 = (K2.pp + K2.qq) * determinant(K1);
+}
+
+/// From responses: (A1 + A2 − (2 + δ) A2 A1) y1 = −e − A2 (r − e), y2 = y1 − (2 + δ) A1 y1 + r − e.
+template <class Real>
+HWY_INLINE void solve(const Mat2<Real>& A1, const Mat2<Real>& A2, const Real&, Step<Real>& step) {
+  const Real two(2.0);
+  const V2<Real> e = step.mismatch, d = step.offset - step.mismatch;
+  const V2<Real> y1 = solve_second_variation(A1 + A2, A2 * A1, 2.0, Real(-1.0) * (e + A2 * d), step);
+  const V2<Real> turn = A1 * y1;
+  const V2<Real> y2 = y1 - (two + step.depth) * turn + d;
+  step.turn_1 = turn;
   step.turn_2 = A2 * y2;
   step.move_1 = y1 - step.turn_1;
   step.move_2 = y2 - step.turn_2;
+  const Real det_1 = determinant(A1), det_2 = determinant(A2);
+  step.trust_1 = (trace(A1) - two * det_1) * det_2;
+  step.trust_2 = (trace(A2) - two * det_2) * det_1;
 }
 
-/// Both bodies' jets at a pair of surface points, and the step from there.
+/// What `solve` takes from a jet whose curvature is bounded …
+template <class Jet, class Real>
+HWY_INLINE Sym2<Real> stiffness(const Jet& jet, const TangentBasis<Real>& basis, const Real&) {
+  return shape_operator(jet, basis);
+}
+/// … and from one whose curvature is not.
+template <class Real>
+HWY_INLINE Mat2<Real> stiffness(const SharpJet<Real>& jet, const TangentBasis<Real>& basis, const Real& length) {
+  const Real one(1.0), inverse_length = one / length;
+  const Real flat_a = one / (one + jet.weight_a), flat_b = one / (one + jet.weight_b), flatness = one / jet.steepness;
+  const Mat2<Real> normals{(jet.weight_a * flat_a * flatness) * coordinates(basis, jet.curvature.a),
+                           (jet.weight_b * flat_b * flatness) * coordinates(basis, jet.curvature.b)};
+  const Mat2<Real> blown_up{(flat_a * inverse_length) * coordinates(basis, jet.point_a) + normals.column_1,
+                            (flat_b * inverse_length) * coordinates(basis, jet.point_b) + normals.column_2};
+  return (one / determinant(blown_up)) * (normals * adjugate(blown_up));
+}
+
 template <class Pair, class Jet1, class Jet2, class Real = typename Pair::Number>
-HWY_INLINE Step<Real> newton_step(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2) {
+HWY_INLINE Step<Real> newton_step(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2,
+                                  const TangentBasis<Real>& basis) {
+  const V3<Real> gap = pair.inverse_length * (jet_1.point - jet_2.point);
   Step<Real> step;
-  step.normal = normalised(jet_1.normal - jet_2.normal);
-  step.basis = tangent_basis(step.normal);
-  const V3<Real> gap = jet_1.point - jet_2.point;
-  step.overlap = dot(gap, step.normal);
-  step.mismatch = coordinates(step.basis, jet_1.normal + jet_2.normal);
-  step.offset = (Real(1.0) / pair.length) * coordinates(step.basis, gap);
-  solve(pair.response_1(jet_1, step.basis), pair.response_2(jet_2, step.basis), pair.length, step);
+  step.depth = dot(gap, jet_1.normal);
+  step.mismatch = coordinates(basis, jet_2.normal);
+  step.offset = coordinates(basis, gap);
+  solve(stiffness(jet_1, basis, pair.length), stiffness(jet_2, pair.basis_in_2(basis), pair.length), pair.length, step);
   return step;
 }
 
-template <class Real>
-HWY_INLINE Touch<Real> advance(const Touch<Real>& from, const Step<Real>& step, const Real& length) {
-  return {from.point_1 + length * step.basis.lift(step.move_1.p, step.move_1.q),
-          from.normal_1 + step.basis.lift(step.turn_1.p, step.turn_1.q),
-          from.point_2 + length * step.basis.lift(step.move_2.p, step.move_2.q),
-          from.normal_2 + step.basis.lift(step.turn_2.p, step.turn_2.q)};
+template <class Jet1, class Jet2, class Real>
+HWY_INLINE Touch<Real> advance(const Jet1& jet_1, const Jet2& jet_2, const TangentBasis<Real>& basis,
+                               const Step<Real>& step, const Real& length) {
+  return {jet_1.point + length * lift(basis, step.move_1), jet_1.normal + lift(basis, step.turn_1),
+          jet_2.point + length * lift(basis, step.move_2), jet_2.normal + lift(basis, step.turn_2)};
 }
 
 template <class Real>
-HWY_INLINE Real largest(const V2<Real>& a) {
-  return max(abs(a.p), abs(a.q));
+HWY_INLINE Real squared_size(const Step<Real>& step) {
+  return dot(step.turn_1, step.turn_1) + dot(step.turn_2, step.turn_2) + dot(step.move_1, step.move_1) +
+         dot(step.move_2, step.move_2);
 }
 
-/// Steps are cut to this in radians and in lengths L.
-constexpr double longest_step = 0.7;
-
+/// Cuts a step to this size (radians and lengths L together).
 template <class Real>
-HWY_INLINE Real size(const Step<Real>& step) {
-  return max(max(largest(step.turn_1), largest(step.turn_2)), max(largest(step.move_1), largest(step.move_2)));
-}
-
-template <class Real>
-HWY_INLINE void limit(Step<Real>& step, const Real& longest) {
-  const Real factor = longest / max(size(step), longest);
+HWY_INLINE void limit(Step<Real>& step, const Real& squared, const Real& longest) {
+  if (!any(squared > longest * longest)) return;
+  const Real factor = longest / max(sqrt(squared), longest);
   step.turn_1 = factor * step.turn_1;
   step.turn_2 = factor * step.turn_2;
   step.move_1 = factor * step.move_1;
   step.move_2 = factor * step.move_2;
 }
 
-/// The step is negligible: what it leaves undone is its square.
-constexpr double small_step = 1e-10;
-/// Both residuals are round-off: points on flat sets move no further.
-constexpr double round_off = 4e-16;
+constexpr double longest_step = 0.7;
+/// A step of this size is the last: what it leaves undone is its square.
+constexpr double small_step = 1e-12;
+/// Residuals of this size are round-off: points on flat sets move no further.
+constexpr double round_off = 2e-15;
+/// Below this, steps that no longer shrink are round-off: sharp tips magnify it.
+constexpr double stalled_step = 1e-8;
 
 template <class Real>
 struct Answer {
   Touch<Real> touch;
   TangentBasis<Real> basis;
-  Curvature<Real> curvature_1, curvature_2;  ///< in `basis`
+  Sym2<Real> shape_1, shape_2;  ///< shape operators in `basis`
   V3<Real> normal;
   Real overlap;
   MaskType<Real> converged;
 };
 
 /// Newton's method on points and normals from a start that is near: the warm path, and the end of the cold one.
+/// A lane that has arrived stands still, so that its answer does not depend on its neighbours.
 template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, MaskType<Real> wanted, int most_steps) {
+HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int most_steps) {
   Answer<Real> answer;
   answer.touch = start;
-  answer.converged = !(wanted | !wanted);
-  MaskType<Real> done = !wanted;
-  for (int i = 0;; ++i) {
+  Real last_move(1.0);
+  for (int i = 0; i < most_steps; ++i) {
     const auto jet_1 = pair.lift_1(answer.touch.point_1, answer.touch.normal_1);
     const auto jet_2 = pair.lift_2(answer.touch.point_2, answer.touch.normal_2);
-    Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2);
-    const Real moved = size(step);
-    const Real residual = max(largest(step.mismatch), largest(step.offset));
-    limit(step, Real(longest_step));
-    const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
-    answer.touch = select(done, answer.touch, advance(here, step, pair.length));
-    answer.basis = select(done, answer.basis, step.basis);
-
-    const MaskType<Real> arrived = ((moved < Real(small_step)) | (residual < Real(round_off))) & step.descends & !done;
-    answer.converged = answer.converged | arrived;
-    const bool last = i + 1 == most_steps || all(done | arrived);
-    if (any(arrived)) {
-      answer.curvature_1 = select(arrived, pair.curvature_1(jet_1, step.basis), answer.curvature_1);
-      answer.curvature_2 = select(arrived, pair.curvature_2(jet_2, step.basis), answer.curvature_2);
+    const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
+    const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
+    Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
+    const Real moved = squared_size(step);
+    const Real residual = dot(step.mismatch, step.mismatch) + dot(step.offset, step.offset);
+    limit(step, moved, Real(longest_step));
+    const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
+    const MaskType<Real> stalled = (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
+    const MaskType<Real> arrived =
+        ((moved < Real(small_step * small_step)) | (residual < Real(round_off * round_off)) | stalled) & step.descends;
+    last_move = moved;
+    if (i == 0) {
+      answer.touch = next;
+      answer.basis = basis;
+      answer.shape_1 = shape_1;
+      answer.shape_2 = shape_2;
+      answer.converged = arrived;
+    } else {
+      const MaskType<Real>& done = answer.converged;
+      answer.touch = select(done, answer.touch, next);
+      answer.basis = select(done, answer.basis, basis);
+      answer.shape_1 = select(done, answer.shape_1, shape_1);
+      answer.shape_2 = select(done, answer.shape_2, shape_2);
+      answer.converged = done | arrived;
     }
-    done = done | arrived;
-    if (last) break;
+    if (all(answer.converged)) break;
   }
   answer.normal = normalised(answer.touch.normal_1 - answer.touch.normal_2);
   answer.overlap = dot(answer.touch.point_1 - answer.touch.point_2, answer.normal);
@@ -185,36 +259,37 @@ HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
 /// From a unit direction down to the nearest minimum of the overlap. Every step that is kept lowers the overlap.
 /// The lifted candidate moves both points along their tangents and blends the normals found there: it crosses faces,
 /// where the direction alone is blind. The direct candidate turns the direction: it crosses rims, where the points are.
-template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Touch<Real> descend(const Pair& pair, V3<Real> direction, int most_steps, Real& overlap) {
+/// `lifts` answers from a guess of the point, `supports` from the normal.
+template <class Lifts, class Supports, class Real = typename Lifts::Number>
+HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, int most_steps,
+                               Real& overlap) {
+  const Real one(1.0);
   Real radius(longest_step);
-  auto jet_1 = pair.support_1(direction);
-  auto jet_2 = pair.support_2(-direction);
+  auto jet_1 = supports.support_1(direction);
+  auto jet_2 = supports.support_2(-direction);
   overlap = dot(jet_1.point - jet_2.point, direction);
   MaskType<Real> done = !(overlap == overlap);
   for (int i = 0; i < most_steps; ++i) {
-    Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2);
-    limit(step, radius);
-    const Touch<Real> ahead =
-        advance(Touch<Real>{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal}, step, pair.length);
-    const V3<Real> normal_1 = pair.lift_1(ahead.point_1, ahead.normal_1).normal;
-    const V3<Real> normal_2 = pair.lift_2(ahead.point_2, ahead.normal_2).normal;
-    const Real share = step.weight_1 / (step.weight_1 + step.weight_2);
-    const V3<Real> lifted = normalised(share * normal_1 - (Real(1.0) - share) * normal_2);
-    auto next_1 = pair.support_1(lifted);
-    auto next_2 = pair.support_2(-lifted);
-    Real next_overlap = dot(next_1.point - next_2.point, lifted);
-    V3<Real> next = lifted;
+    const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
+    Step<Real> step = newton_step<Supports>(supports, jet_1, jet_2, basis);
+    limit(step, squared_size(step), radius);
+    const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, lifts.length);
+    const V3<Real> normal_1 = lifts.lift_1(ahead.point_1, ahead.normal_1).normal;
+    const V3<Real> normal_2 = lifts.lift_2(ahead.point_2, ahead.normal_2).normal;
+    const Real share = (step.trust_1 + Real(1e-300)) / (step.trust_1 + step.trust_2 + Real(2e-300));
+    V3<Real> next = normalised(share * normal_1 - (one - share) * normal_2);
+    auto next_1 = supports.support_1(next);
+    auto next_2 = supports.support_2(-next);
+    Real next_overlap = dot(next_1.point - next_2.point, next);
     const MaskType<Real> failed = !((next_overlap < overlap) | done);
     if (any(failed)) {
       const V3<Real> direct = normalised(ahead.normal_1 - ahead.normal_2);
-      const auto direct_1 = pair.support_1(direct);
-      const auto direct_2 = pair.support_2(-direct);
-      const Real direct_overlap = dot(direct_1.point - direct_2.point, direct);
+      const auto direct_1 = supports.support_1(direct);
+      const auto direct_2 = supports.support_2(-direct);
       next_1 = select(failed, direct_1, next_1);
       next_2 = select(failed, direct_2, next_2);
       next = select(failed, direct, next);
-      next_overlap = select(failed, direct_overlap, next_overlap);
+      next_overlap = select(failed, dot(direct_1.point - direct_2.point, direct), next_overlap);
     }
     const MaskType<Real> better = (next_overlap < overlap) & !done;
     const V3<Real> turned = next - direction;

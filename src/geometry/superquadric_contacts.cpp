@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "geometry/superquadric_contacts.cpp"
 #include <hwy/foreach_target.h>
 // The target list above comes first.
-#include "geometry/superquadric_pair-inl.hpp"
+#include "geometry/common_normal-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -112,16 +112,24 @@ HWY_INLINE MaskType<Real> precedes(const Body<Real>& a, const Body<Real>& b) {
 }
 
 /// A batch of pairs in the order in which they are computed, and the way back to the caller's.
-template <class Real, class Kind>
+template <class Real>
 struct Problem {
   MaskType<Real> swapped;
   Rotation<Real> frame;  ///< of the first body → world
   V3<Real> origin;
-  SuperquadricPair<Real, Kind> pair;
+  SuperquadricNumbers<Real> body_1, body_2;
+  Rotation<Real> rotation;  ///< frame of the second body → frame of the first
+  V3<Real> centre_2;        ///< in the frame of the first
+  Real length;
+
+  template <class Surface>
+  HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
+    return {Surface(body_1), Surface(body_2), rotation, centre_2, length, Real(1.0) / length};
+  }
 };
 
-template <class Real, class Kind>
-HWY_INLINE Problem<Real, Kind> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
+template <class Real>
+HWY_INLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
   const Body<Real> given_1 = read_body<Real>(pairs, 0, rows);
   const Body<Real> given_2 = read_body<Real>(pairs, SuperquadricPairs::per_body, rows);
   const MaskType<Real> swapped = precedes(given_2, given_1);
@@ -129,19 +137,23 @@ HWY_INLINE Problem<Real, Kind> problem_of(const SuperquadricPairs& pairs, const 
   const Rotation<Real> frame = rotation_of(one.w, one.v);
   const Real w = one.w * two.w + dot(one.v, two.v);
   const V3<Real> v = one.w * two.v - two.w * one.v - cross(one.v, two.v);
+  const auto largest = [](const V3<Real>& axes) { return max(max(axes.x, axes.y), axes.z); };
   return {swapped,
           frame,
           one.position,
-          {one.half_axes, one.exponents, two.half_axes, two.exponents, rotation_of(w, v),
-           frame.apply_inverse(two.position - one.position)}};
+          {one.half_axes, one.exponents.p, one.exponents.q},
+          {two.half_axes, two.exponents.p, two.exponents.q},
+          rotation_of(w, v),
+          frame.apply_inverse(two.position - one.position),
+          min(largest(one.half_axes), largest(two.half_axes))};
 }
 
-template <class Real, class Kind>
-HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Real, Kind>& problem, const Rows& rows) {
+template <class Real>
+HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Real>& problem, const Rows& rows) {
   const V3<Real> point_1 = read3<Real>(caches.columns, 0, rows), normal_1 = read3<Real>(caches.columns, 3, rows);
   const V3<Real> point_2 = read3<Real>(caches.columns, 6, rows), normal_2 = read3<Real>(caches.columns, 9, rows);
   const auto& swapped = problem.swapped;
-  const auto& pair = problem.pair;
+  const auto& pair = problem;
   return {select(swapped, point_2, point_1), select(swapped, normal_2, normal_1),
           pair.rotation.apply(select(swapped, point_1, point_2)) + pair.centre_2,
           pair.rotation.apply(select(swapped, normal_1, normal_2))};
@@ -150,12 +162,12 @@ HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Rea
 /// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
 constexpr double flat_curvature = 1e-9;
 
-template <class Real, class Kind>
-HWY_INLINE void write_answer(const Problem<Real, Kind>& problem, const Answer<Real>& answer, std::uint64_t wanted,
+template <class Real>
+HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
                              ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
-  const auto& pair = problem.pair;
+  const auto& pair = problem;
   const Real one(1.0);
   const V3<Real> normal = frame.apply(answer.normal);
   const V3<Real> point_1 = frame.apply(answer.touch.point_1) + problem.origin;
@@ -166,9 +178,15 @@ HWY_INLINE void write_answer(const Problem<Real, Kind>& problem, const Answer<Re
   write3(select(swapped, point_2, point_1), wanted, columns, 4, rows);
   write3(select(swapped, point_1, point_2), wanted, columns, 7, rows);
 
-  const auto in_world = [&](const V2<Real>& t) { return frame.apply(answer.basis.lift(t.p, t.q)); };
-  const Eigen2<Real> first = select(swapped, answer.curvature_2.principal, answer.curvature_1.principal);
-  const Eigen2<Real> second = select(swapped, answer.curvature_1.principal, answer.curvature_2.principal);
+  const auto in_world = [&](const V2<Real>& t) { return frame.apply(lift(answer.basis, t)); };
+  const Real zero(0.0);
+  const auto convex = [&](const Sym2<Real>& shape) {
+    Eigen2<Real> curvature = eigen(shape);
+    curvature.min = max(curvature.min, zero);
+    return curvature;
+  };
+  const Eigen2<Real> first = convex(select(swapped, answer.shape_2, answer.shape_1));
+  const Eigen2<Real> second = convex(select(swapped, answer.shape_1, answer.shape_2));
   write(first.max, wanted, columns[10], rows);
   write(first.min, wanted, columns[11], rows);
   write3(in_world(first.direction), wanted, columns, 12, rows);
@@ -176,10 +194,7 @@ HWY_INLINE void write_answer(const Problem<Real, Kind>& problem, const Answer<Re
   write(second.min, wanted, columns[16], rows);
   write3(in_world(second.direction), wanted, columns, 17, rows);
 
-  // det(K1 + K2) from terms that are all positive: det K1 + det K2 + the mixed discriminant.
-  const Sym2<Real>&k1 = answer.curvature_1.shape_operator, &k2 = answer.curvature_2.shape_operator;
-  const Real mixed = k1.pp * k2.qq + k2.pp * k1.qq - Real(2.0) * k1.pq * k2.pq;
-  const Eigen2<Real> relative = eigen(k1 + k2, first.max * first.min + second.max * second.min + max(mixed, Real(0.0)));
+  const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
   write(one / relative.min, wanted, columns[20], rows);
   write(one / relative.max, wanted, columns[21], rows);
   write3(in_world({-relative.direction.q, relative.direction.p}), wanted, columns, 22, rows);
@@ -204,8 +219,8 @@ HWY_INLINE void write_answer(const Problem<Real, Kind>& problem, const Answer<Re
 }
 
 /// A direction in which the bodies do not overlap: a proof of separation, kept in the cache.
-template <class Real, class Kind>
-HWY_INLINE void write_separation(const Problem<Real, Kind>& problem, const V3<Real>& direction, const Real& overlap,
+template <class Real>
+HWY_INLINE void write_separation(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
                                  std::uint64_t wanted, ContactColumns& contacts, ContactCaches& caches,
                                  const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction), zero{Real(0.0), Real(0.0), Real(0.0)};
@@ -213,7 +228,7 @@ HWY_INLINE void write_separation(const Problem<Real, Kind>& problem, const V3<Re
   write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
   write(overlap, wanted, columns[3], rows);
   for (std::size_t k = 4; k < 25; ++k) write(Real(0.0), wanted, columns[k], rows);
-  const V3<Real> normal_b = problem.pair.rotation.apply_inverse(-direction);
+  const V3<Real> normal_b = problem.rotation.apply_inverse(-direction);
   write3(select(problem.swapped, normal_b, direction), wanted, caches.columns, 3, rows);
   for (Index i = 0; i < rows.count; ++i) {
     if ((wanted >> i & 1U) == 0) continue;
@@ -222,79 +237,93 @@ HWY_INLINE void write_separation(const Problem<Real, Kind>& problem, const V3<Re
   }
 }
 
-/// The best of the centre line and both bodies' gauge normals along it.
-template <class Real, class Kind>
-HWY_INLINE V3<Real> first_direction(const SuperquadricPair<Real, Kind>& pair) {
-  const V3<Real> toward = pair.centre_2, back = -toward;
-  const V3<Real> candidates[] = {normalised(toward), pair.lift_1(toward, toward).normal,
-                                 -pair.lift_2(pair.centre_2 + back, back).normal};
-  V3<Real> best = candidates[0];
-  Real least = overlap_along(pair, best);
-  for (int i = 1; i < 3; ++i) {
-    const Real overlap = overlap_along(pair, candidates[i]);
+/// The best of the centre line and both bodies' normals on it.
+template <class Lifts, class Supports, class Real = typename Lifts::Number>
+HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
+  const V3<Real> toward = lifts.centre_2, centre_line = normalised(toward);
+  const Real zero(0.0);
+  const V3<Real> origin{zero, zero, zero};
+  const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
+  V3<Real> best = centre_line;
+  Real least = overlap_along(supports, best);
+  for (const V3<Real>& other : others) {
+    const Real overlap = overlap_along(supports, other);
     const MaskType<Real> better = overlap < least;
-    best = select(better, candidates[i], best);
+    best = select(better, other, best);
     least = select(better, overlap, least);
   }
   return best;
 }
 
-template <class Real, class Kind>
+/// Rows whose bit is not set go on the list.
+inline void collect(std::vector<Index>& list, std::uint64_t solved, const Rows& rows) {
+  for (Index i = 0; i < rows.count; ++i)
+    if ((solved >> i & 1U) == 0) list.push_back(rows.index[i]);
+}
+
+template <class Real, class Lift>
 void solve_warm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                const std::vector<Index>& list, std::vector<Index>& cold) {
+                const std::vector<Index>& list, std::vector<Index>& unsolved) {
   for (Index start = 0; start < list.size(); start += lanes<Real>()) {
     const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real, Kind>(pairs, rows);
-    const Touch<Real> touch = read_touch<Real>(caches, problem, rows);
-    const auto everything = problem.pair.length > Real(0.0);
-    const Answer<Real> answer = polish(problem.pair, touch, everything, 8);
-    const std::uint64_t lanes_used = (std::uint64_t{1} << rows.count) - 1;
-    const std::uint64_t converged = bits(answer.converged) & lanes_used;
+    const auto problem = problem_of<Real>(pairs, rows);
+    const Answer<Real> answer = polish(problem.template as<Lift>(), read_touch<Real>(caches, problem, rows), 8);
+    const std::uint64_t used = (std::uint64_t{1} << rows.count) - 1;
+    const std::uint64_t converged = bits(answer.converged) & used;
     write_answer(problem, answer, converged, contacts, caches, rows);
-    for (Index i = 0; i < rows.count; ++i)
-      if ((converged >> i & 1U) == 0) cold.push_back(rows.index[i]);
+    if (converged != used) collect(unsolved, converged, rows);
   }
 }
 
-template <class Real, class Kind>
+template <class Real, class Lift, class Support>
 void solve_cold(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                const std::vector<Index>& list, std::vector<Index>& hard) {
+                const std::vector<Index>& list, std::vector<Index>& unsolved) {
   for (Index start = 0; start < list.size(); start += lanes<Real>()) {
     const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real, Kind>(pairs, rows);
+    const auto problem = problem_of<Real>(pairs, rows);
+    const auto lifts = problem.template as<Lift>();
+    const auto supports = problem.template as<Support>();
     Real least(0.0);
-    const Touch<Real> touch = descend(problem.pair, first_direction(problem.pair), 16, least);
-    const auto everything = problem.pair.length > Real(0.0);
-    const Answer<Real> answer = polish(problem.pair, touch, everything, 10);
-    const std::uint64_t lanes_used = (std::uint64_t{1} << rows.count) - 1;
-    const auto good = answer.converged & (answer.overlap <= least + Real(1e-12) * problem.pair.length);
-    const std::uint64_t converged = bits(good) & lanes_used;
+    const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), 16, least);
+    const Answer<Real> answer = polish(lifts, touch, 10);
+    const std::uint64_t used = (std::uint64_t{1} << rows.count) - 1;
+    const auto good = answer.converged & (answer.overlap <= least + Real(1e-12) * problem.length);
+    const std::uint64_t converged = bits(good) & used;
     write_answer(problem, answer, converged, contacts, caches, rows);
-    for (Index i = 0; i < rows.count; ++i)
-      if ((converged >> i & 1U) == 0) hard.push_back(rows.index[i]);
+    if (converged != used) collect(unsolved, converged, rows);
   }
+}
+
+/// Even exponents, n1 a multiple of n2.
+inline bool is_even(double n1, double n2) {
+  const auto whole = [](double x) { return x == std::floor(x); };
+  return whole(0.5 * n2) && whole(n1 / n2);
 }
 
 template <class Real>
 void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap) {
-  const Index size = pairs.size();
-  std::vector<Index> warm[3], cold[3], hard;
-  for (Index i = 0; i < size; ++i) {
-    const double n[4] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
-    bool square = true, even = true;
-    for (double e : n) {
-      square = square && e == 2.0;
-      even = even && std::fmod(e, 2.0) == 0.0;
-    }
-    const int kind = square ? 0 : even ? 1 : 2;
-    (caches.states[i] == ContactCache::State::contact ? warm : cold)[kind].push_back(i);
+  using Ellipsoids = GaugeSurface<Real, SquarePower>;
+  using Blunt = GaugeSurface<Real, RealPower>;
+  using Mixed = MixedSurface<Real>;
+  std::vector<Index> warm_even, warm_blunt, warm_mixed, cold_ellipsoids, cold_blunt, cold_mixed, hard;
+  for (Index i = 0; i < pairs.size(); ++i) {
+    const double n1_1 = pairs.columns[3][i], n2_1 = pairs.columns[4][i];
+    const double n1_2 = pairs.columns[15][i], n2_2 = pairs.columns[16][i];
+    const bool square = n1_1 == 2.0 && n2_1 == 2.0 && n1_2 == 2.0 && n2_2 == 2.0;
+    const bool blunt = std::min(std::min(n1_1, n2_1), std::min(n1_2, n2_2)) >= 2.0;
+    const bool even = square || (is_even(n1_1, n2_1) && is_even(n1_2, n2_2));
+    if (caches.states[i] == ContactCache::State::contact)
+      (even ? warm_even : blunt ? warm_blunt : warm_mixed).push_back(i);
+    else
+      (square ? cold_ellipsoids : blunt ? cold_blunt : cold_mixed).push_back(i);
   }
-  solve_warm<Real, Ellipsoids>(pairs, caches, contacts, warm[0], cold[0]);
-  solve_warm<Real, EvenExponents>(pairs, caches, contacts, warm[1], cold[1]);
-  solve_warm<Real, RealExponents>(pairs, caches, contacts, warm[2], cold[2]);
-  solve_cold<Real, Ellipsoids>(pairs, caches, contacts, cold[0], hard);
-  solve_cold<Real, EvenExponents>(pairs, caches, contacts, cold[1], hard);
-  solve_cold<Real, RealExponents>(pairs, caches, contacts, cold[2], hard);
+  solve_warm<Real, EvenSurface<Real>>(pairs, caches, contacts, warm_even, cold_blunt);
+  solve_warm<Real, Blunt>(pairs, caches, contacts, warm_blunt, cold_blunt);
+  solve_warm<Real, Mixed>(pairs, caches, contacts, warm_mixed, cold_mixed);
+  solve_cold<Real, Ellipsoids, SupportSurface<BluntJet<Real>, Real, SquarePower>>(pairs, caches, contacts,
+                                                                                  cold_ellipsoids, hard);
+  solve_cold<Real, Blunt, SupportSurface<BluntJet<Real>, Real, RealPower>>(pairs, caches, contacts, cold_blunt, hard);
+  solve_cold<Real, Mixed, SupportSurface<SharpJet<Real>, Real, RealPower>>(pairs, caches, contacts, cold_mixed, hard);
   for (Index i : hard) contacts.statuses[i] = ContactStatus::not_converged;
 }
 
