@@ -15,4 +15,7 @@ void add_shape(CLI::App& program);
 /// `bench`: what a contact costs on this machine.
 void add_bench(CLI::App& program);
 
+/// `review`: the review's tables, computed anew.
+void add_review(CLI::App& program);
+
 }  // namespace osculate::app

@@ -21,6 +21,7 @@ constexpr const char* first_steps =
   osculate shape rice --picture rice.png                   a shape of the catalogue in numbers and as a picture
   osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
+  osculate review table1                                   the review's Table 1: printed against computed
   osculate bench narrow                                    what a contact costs on this machine
 
 `osculate COMMAND --help` explains a command and the files it reads.
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   osculate::app::add_contact(program);
   osculate::app::add_shape(program);
+  osculate::app::add_review(program);
   osculate::app::add_bench(program);
   try {
     program.parse(argc, argv);

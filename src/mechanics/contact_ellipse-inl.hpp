@@ -50,8 +50,9 @@ HWY_INLINE Ellipse<Real> ellipse_of(const Real& R_i, const Real& R_j) {
 
   const Real x = fitted_log_axis_ratio(-log(ratio));
   const Real k = exp(x);
+  // Both 1 − m1 and 1 − e2 must hold to the digits of the smaller of the two.
   const Real e2 = one - k * k;
-  const Real m1 = one - e2;
+  const Real m1 = select(e2 < half, one - e2, k * k);
   const auto [K, E, B, C, D] = elliptic_integrals(e2, m1, Real(-2.0) * x);
 
   // Newton's step in x = ln(b/a) for ln((1 − m) D/B) = ln ratio, from dD/dx = C − D, dB/dx = −m1 C. The start is so

@@ -11,10 +11,10 @@
 namespace osculate {
 namespace {
 
-void require_radii(const std::string& where, double R_i, double R_j) {
-  const std::string found = "R_i = " + std::to_string(R_i) + ", R_j = " + std::to_string(R_j);
-  if (!(R_j > 0.0) || R_j > std::numeric_limits<double>::max()) throw InputError(where, found, "a positive, finite R_j");
-  if (!(R_i >= R_j)) throw InputError(where, found, "R_i >= R_j");
+void require_radii(const char* where, double R_i, double R_j) {
+  if (R_j > 0.0 && R_j <= std::numeric_limits<double>::max() && R_i >= R_j) return;
+  throw InputError(where, "R_i = " + std::to_string(R_i) + ", R_j = " + std::to_string(R_j),
+                   "R_i >= R_j > 0 with a finite R_j");
 }
 
 HWY_NAMESPACE::Ellipse<double> shape_of(const ContactEllipse& ellipse) {
@@ -23,9 +23,13 @@ HWY_NAMESPACE::Ellipse<double> shape_of(const ContactEllipse& ellipse) {
 
 }  // namespace
 
-double ContactEllipse::gamma() const { return HWY_NAMESPACE::gamma(shape_of(*this)); }
+double ContactEllipse::gamma() const {
+  return HWY_NAMESPACE::gamma(shape_of(*this));
+}
 
-double ContactEllipse::beta() const { return HWY_NAMESPACE::beta(shape_of(*this)); }
+double ContactEllipse::beta() const {
+  return HWY_NAMESPACE::beta(shape_of(*this));
+}
 
 ContactEllipse contact_ellipse(double R_i, double R_j) {
   require_radii("contact_ellipse", R_i, R_j);

@@ -32,8 +32,16 @@ HWY_INLINE Real polynomial(const double (&c)[N], const Real& x) {
 template <class Real>
 HWY_INLINE EllipticIntegrals<Real> elliptic_integrals(const Real& m, const Real& m1, const Real& minus_log_m1) {
   static constexpr double b_regular[] = {
-      1.0,                    0.05685281942585413,   0.017084393964467193, 0.008024039480524183, 0.004262478199054916,
-      -0.00378749295417393,   -0.042977390614411526, -0.11298696349824436, -0.10689869303802316, -0.03218499901843365,
+      1.0,
+      0.05685281942585413,
+      0.017084393964467193,
+      0.008024039480524183,
+      0.004262478199054916,
+      -0.00378749295417393,
+      -0.042977390614411526,
+      -0.11298696349824436,
+      -0.10689869303802316,
+      -0.03218499901843365,
       -0.0019900285491654458,
   };
   static constexpr double b_logarithmic[] = {
@@ -51,8 +59,8 @@ HWY_INLINE EllipticIntegrals<Real> elliptic_integrals(const Real& m, const Real&
   };
   // (P − P(1))/m: the value at the circle is split off, so that C keeps its digits as m → 0.
   static constexpr double c_regular[] = {
-      -0.8100551797294715, -1.4408928671752086, -2.075014180844979,    -2.7102388375795314,
-      -3.344525507856722,  -3.944647598069357,  -4.235398368247628,    -3.468914513924783,
+      -0.8100551797294715, -1.4408928671752086,  -2.075014180844979,    -2.7102388375795314,
+      -3.344525507856722,  -3.944647598069357,   -4.235398368247628,    -3.468914513924783,
       -1.6338912946331634, -0.31658356742010707, -0.014558451691667921,
   };
   static constexpr double c_logarithmic[] = {
@@ -73,8 +81,7 @@ HWY_INLINE EllipticIntegrals<Real> elliptic_integrals(const Real& m, const Real&
 
   EllipticIntegrals<Real> result;
   result.B = fma(minus_log_m1, polynomial(b_logarithmic, m1), polynomial(b_regular, m1));
-  result.C =
-      Real(c_circle) + fma(minus_log_m1, polynomial(c_logarithmic, m1), m * polynomial(c_regular, m1));
+  result.C = Real(c_circle) + fma(minus_log_m1, polynomial(c_logarithmic, m1), m * polynomial(c_regular, m1));
   result.D = fma(m, result.C, result.B);
   result.K = result.B + result.D;
   result.E = fma(m1, result.D, result.B);

@@ -34,12 +34,11 @@ void hertz_contacts(const hertz::BatchInput& input, const hertz::BatchOutput& ou
 
     const Batch minor = select(good, R_j, one);
     const Batch major = select(good, limited(R_i, R_j), one);
-    const auto state =
-        hertz_state(ellipse_of(major, minor), select(good, modulus, zero), select(good, overlap, zero));
+    const auto state = hertz_state(ellipse_of(major, minor), select(good, modulus, zero), select(good, overlap, zero));
     const Batch size_validity =
         select(state.a_c < Batch(0.5) * smallest_radius, code(Validity::valid), code(Validity::large_contact));
-    const Batch validity = select(good, select(major < R_i, code(Validity::line_contact), size_validity),
-                                  code(Validity::bad_input));
+    const Batch validity =
+        select(good, select(major < R_i, code(Validity::line_contact), size_validity), code(Validity::bad_input));
 
     store(state.force, &output.force[start], count);
     store(state.a_c, &output.a_c[start], count);
@@ -69,8 +68,8 @@ HWY_NAMESPACE::HertzState<double> state_of(const ContactEllipse& ellipse, double
   if (!(modulus > 0.0) || !std::isfinite(modulus))
     throw InputError("hertz", "effective modulus " + std::to_string(modulus), "a positive, finite value [Pa]");
   if (!std::isfinite(overlap)) throw InputError("hertz", "overlap " + std::to_string(overlap), "a finite value [m]");
-  return HWY_NAMESPACE::hertz_state<double>(
-      {ellipse.R_c, ellipse.axis_ratio, ellipse.e2, ellipse.K, ellipse.E}, modulus, overlap);
+  return HWY_NAMESPACE::hertz_state<double>({ellipse.R_c, ellipse.axis_ratio, ellipse.e2, ellipse.K, ellipse.E},
+                                            modulus, overlap);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct Contact {
 double force(const ContactEllipse& ellipse, double modulus, double overlap);
 
 /// Everything about one contact; δ ≤ 0 gives zeros.
-/// @param smallest_radius  R_min > 0 [m]: the smallest principal radius of curvature of the two *bodies* at the contact,
+/// @param smallest_radius  R_min > 0 [m]: the smallest principal radius of curvature of the two *bodies* at the
+/// contact,
 ///        min over both of 1/k_max. It is the size of the body that has to act as a half-space; the relative radius R_j
 ///        would be half of it for equal spheres and would call sound contacts invalid.
 /// Throws InputError unless modulus > 0 and finite, overlap finite, smallest_radius > 0.
