@@ -18,4 +18,7 @@ void add_bench(CLI::App& program);
 /// `review`: the review's tables, computed anew.
 void add_review(CLI::App& program);
 
+/// `validate`: independent witnesses against the library.
+void add_validate(CLI::App& program);
+
 }  // namespace osculate::app

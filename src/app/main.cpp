@@ -22,6 +22,7 @@ constexpr const char* first_steps =
   osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
   osculate review table1                                   the review's Table 1: printed against computed
+  osculate validate curvature                              curvatures against jets fitted to the surface
   osculate bench narrow                                    what a contact costs on this machine
 
 `osculate COMMAND --help` explains a command and the files it reads.
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   osculate::app::add_contact(program);
   osculate::app::add_shape(program);
   osculate::app::add_review(program);
+  osculate::app::add_validate(program);
   osculate::app::add_bench(program);
   try {
     program.parse(argc, argv);

@@ -6,6 +6,7 @@
 
 #include "osculate/core/error.hpp"
 #include "osculate/shapes/mesh.hpp"
+#include "shapes/radial_quadrature.hpp"
 #include "shapes/sample_shapes.hpp"
 
 using namespace osculate;
@@ -156,6 +157,18 @@ TEST_CASE("Mass properties of potential particles agree with the divergence theo
     const double xx = limit(coarse.second_xx, fine.second_xx) - volume * centroid.x() * centroid.x();
     const double from_inertia = 0.5 * mass.inertia.trace() - mass.inertia(0, 0);
     CHECK(from_inertia == Approx(xx).epsilon(3e-5));
+  }
+}
+
+TEST_CASE("The stated error of mass properties is no smaller than the true one, sharp edges included") {
+  for (const PotentialParticle& shape : {samples::potential_cube(1e-5, 1e-4, 1e-7, 2e-5), samples::potential_stone()}) {
+    const MassProperties mass = mass_properties(shape);
+    const MassProperties finer =
+        mass_properties_by_quadrature([&](const Vec3& x) { return 1.0 / gauge(shape, x).value; },
+                                      {.relative_error = 1e-12, .evaluations = 4'000'000});
+    CHECK(mass.relative_error < 2e-6);
+    CHECK(std::fabs(mass.volume / finer.volume - 1.0) < mass.relative_error);
+    CHECK((mass.inertia - finer.inertia).norm() < mass.relative_error * finer.inertia.norm());
   }
 }
 
