@@ -144,9 +144,8 @@ ReproducedTable table1() {
           approximation_error(cases[0])),
       "Osculate computes with (13); (14) is kept for this comparison.",
       "",
-      "[a] The decoded R_j is known one or two units of its last digit too badly, and the equations hold: with R_i at "
-      "the",
-      "    cap, these R_j/R_vol reproduce the printed forces:",
+      "[a] The decoded R_j is one or two units of its last digit off. With R_i at the cap, these R_j/R_vol",
+      "    reproduce the printed forces, and one R_j serves both tables:",
       radii_that_reproduce(cases[0], printed[0]),
       radii_that_reproduce(cases[1], printed[1]),
       fmt::format("[b] The two printed numbers of case 3 contradict the decoded radii: {:.4f} is {:.2f} % above "
@@ -164,9 +163,8 @@ ReproducedTable table1() {
       "    bodies curved alike (low) to both at the cap (high). The printed value is not available to the project.",
       "    In cases 1 and 2, R_i at the cap means that both bodies are flat along it: both Gaussian radii are 10 "
       "R_vol,",
-      "    R_c = 5 R_vol, γ = 1, and the force is √5. The project knows one printed value, 2.2361, without its case; "
-      "it is",
-      "    set against these two.",
+      "    R_c = 5 R_vol, γ = 1, and the force is √5. The one printed value known to the",
+      "    project, 2.2361, comes without its case; it is set against these two.",
       "[d] The FEM column and the review's errors against it are not available to the project.",
       fmt::format("    Against the exact elliptical Hertz the simplified model is {:+.1f} % off in case 1, {:+.1f} % "
                   "in case 2.",
