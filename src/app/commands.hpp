@@ -9,4 +9,6 @@ namespace osculate::app {
 /// `shape`: what a shape is, as numbers, files and pictures.
 void add_shape(CLI::App& program);
 
+void add_validate(CLI::App& program);
+
 }  // namespace osculate::app

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   program.name("osculate");
   program.require_subcommand(1);
   osculate::app::add_shape(program);
+  osculate::app::add_validate(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

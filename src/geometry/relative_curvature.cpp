@@ -69,7 +69,9 @@ RelativeCurvature relative_curvature(const Vec3& normal, const PrincipalCurvatur
   };
   relative.R_i = radius_of(smaller);
   relative.R_j = radius_of(larger);
-  const bool has_one_major_axis = half_difference > 0.0;
+  const double total =
+      std::fabs(a.curvature) + std::fabs(b.curvature) + std::fabs(c.curvature) + std::fabs(d.curvature);
+  const bool has_one_major_axis = half_difference > 8.0 * std::numeric_limits<double>::epsilon() * total;
   const double angle = has_one_major_axis ? major_angle(xx, xy, yy) + 0.5 * std::numbers::pi : 0.0;
   relative.major_axis = towards_positive(plane.lift(angle));
   return relative;

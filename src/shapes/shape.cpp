@@ -39,8 +39,9 @@ constexpr bool is_wall = requires(const S& shape, const Vec3& x) {
 /// Puts a question to the particle in `shape`, ellipsoids and spheres answering as superquadrics.
 template <class Question>
 auto ask_particle(const Shape& shape, std::string_view what, const Question& question) {
+  using Answer = std::invoke_result_t<const Question&, const Superquadric&>;
   return std::visit(
-      [&](const auto& s) -> decltype(question(std::declval<const Superquadric&>())) {
+      [&](const auto& s) -> Answer {
         using S = std::decay_t<decltype(s)>;
         if constexpr (is_wall<S>) {
           throw InputError(std::string(what), "a wall (" + std::string(kind_of(s)) + ")", "a particle");

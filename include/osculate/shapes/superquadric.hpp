@@ -69,7 +69,7 @@ double bounding_radius(const Superquadric& shape);
 
 OrientedBox oriented_box(const Superquadric& shape);
 
-/// Closed form by Beta functions (Jaklič, Leonardis & Solina 2000).
+/// Closed form by Beta functions.                                                [JLS00]
 MassProperties mass_properties(const Superquadric& shape);
 
 }  // namespace osculate
