@@ -4,4 +4,21 @@
 
 #include <CLI/CLI.hpp>
 
-namespace osculate::app {}  // namespace osculate::app
+namespace osculate::app {
+
+/// `contact`: one contact in full, or a table of pairs.
+void add_contact(CLI::App& program);
+
+/// `shape`: what a shape is, as numbers, files and pictures.
+void add_shape(CLI::App& program);
+
+/// `bench`: what a contact costs on this machine.
+void add_bench(CLI::App& program);
+
+/// `review`: the review's tables, computed anew.
+void add_review(CLI::App& program);
+
+/// `validate`: independent witnesses against the library.
+void add_validate(CLI::App& program);
+
+}  // namespace osculate::app

@@ -5,10 +5,41 @@
 #include "app/commands.hpp"
 #include "osculate/core/error.hpp"
 
+namespace {
+
+constexpr const char* introduction =
+    R"(Osculate: contact mechanics and the discrete element method of non-spherical particles.
+
+Two convex bodies that touch share a common normal. Osculate finds it exactly, with the overlap, the points of both
+surfaces and their principal curvatures there, and from these the elliptical contact of Hertz: force, contact ellipse,
+pressure, stiffness. Bodies are superquadrics (grains, tablets, boxes, cylinders with rounded edges), potential
+particles (rounded polyhedra) and walls.
+)";
+
+constexpr const char* first_steps =
+    R"(First steps:
+  osculate shape rice --picture rice.png                   a shape of the catalogue in numbers and as a picture
+  osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
+  osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
+  osculate review table1                                   the review's Table 1: printed against computed
+  osculate validate curvature                              curvatures against jets fitted to the surface
+  osculate bench narrow                                    what a contact costs on this machine
+
+`osculate COMMAND --help` explains a command and the files it reads.
+Exit codes: 0 done, 1 a comparison missed its bar, 2 wrong input (the message says where), 3 an internal error.)";
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  CLI::App program{"Osculate: contact mechanics and the discrete element method of non-spherical particles"};
+  CLI::App program{introduction};
   program.name("osculate");
+  program.footer(first_steps);
   program.require_subcommand(1);
+  osculate::app::add_contact(program);
+  osculate::app::add_shape(program);
+  osculate::app::add_review(program);
+  osculate::app::add_validate(program);
+  osculate::app::add_bench(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -108,6 +109,9 @@ HWY_INLINE Mask operator!(Mask a) {
 HWY_INLINE Batch select(Mask condition, Batch yes, Batch no) {
   return Batch(hn::IfThenElse(condition.m, yes.v, no.v));
 }
+HWY_INLINE Mask select(Mask condition, Mask yes, Mask no) {
+  return {hn::Or(hn::And(condition.m, yes.m), hn::AndNot(condition.m, no.m))};
+}
 HWY_INLINE bool any(Mask a) {
   return !hn::AllFalse(Tag(), a.m);
 }
@@ -144,6 +148,20 @@ HWY_INLINE Batch fma(Batch a, Batch b, Batch c) {
 }
 
 HWY_INLINE double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
+/// The truth of each lane as a bit, lane 0 the lowest.
+HWY_INLINE std::uint64_t bits(Mask a) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Tag(), a.m, bytes);
+  std::uint64_t result = 0;
+  for (int i = 7; i >= 0; --i) result = result << 8 | bytes[i];
+  return result;
+}
+HWY_INLINE std::uint64_t bits(bool a) {
+  return a ? 1 : 0;
+}
+HWY_INLINE bool select(bool condition, bool yes, bool no) {
   return condition ? yes : no;
 }
 HWY_INLINE bool any(bool a) {

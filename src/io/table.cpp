@@ -40,4 +40,14 @@ std::string to_text(const Table& table) {
   return text;
 }
 
+std::string to_text(const std::vector<Property>& properties) {
+  std::size_t widest = 0;
+  for (const Property& property : properties) widest = std::max(widest, width(property.name));
+  std::string text;
+  for (const Property& property : properties) {
+    text += property.name + std::string(widest - width(property.name) + 3, ' ') + property.value + '\n';
+  }
+  return text;
+}
+
 }  // namespace osculate::io

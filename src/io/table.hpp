@@ -15,4 +15,13 @@ struct Table {
 /// The table as text, ending in a newline. Widths count code points, so that δ and ° keep the columns straight.
 std::string to_text(const Table& table);
 
+/// A name and what belongs to it.
+struct Property {
+  std::string name;
+  std::string value;
+};
+
+/// One a line, values below one another.
+std::string to_text(const std::vector<Property>& properties);
+
 }  // namespace osculate::io

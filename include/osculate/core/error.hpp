@@ -11,6 +11,10 @@ class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& found, const std::string& expected)
       : std::runtime_error((where.empty() ? "" : where + ": ") + found + "; expected " + expected) {}
+
+  /// An error met further inside, with the place that led there.
+  InputError(const std::string& where, const InputError& cause)
+      : std::runtime_error(where + ": " + cause.what()) {}
 };
 
 }  // namespace osculate

@@ -21,8 +21,18 @@ bool is_particle(const Shape& shape);
 /// Throws InputError with what is wrong.
 void validate(const Shape& shape);
 
+/// The gauge of a particle: value, gradient and Hessian at x ≠ 0, body frame; x / value is the surface point on the ray
+/// through x. Throws InputError for walls.
+Gauge gauge(const Shape& shape, const Vec3& x_b);
+
+/// The surface point of a particle with outward normal u ≠ 0, body frame [m]. Throws InputError for walls.
+Vec3 support_point(const Shape& shape, const Vec3& u_b);
+
 /// Radius of a sphere about the body's origin that holds it [m]; ∞ for walls.
 double bounding_radius(const Shape& shape);
+
+/// A box around a particle, aligned with its body frame. Throws InputError for walls.
+OrientedBox oriented_box(const Shape& shape);
 
 /// Volume, centroid and inertia; throws InputError for walls.
 MassProperties mass_properties(const Shape& shape);

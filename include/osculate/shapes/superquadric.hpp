@@ -45,21 +45,31 @@ void validate(const Superquadric& shape);
 void validate(const Ellipsoid& shape);
 void validate(const Sphere& shape);
 
-/// N(x), its gradient and Hessian; x ≠ 0, body frame [m].
+/// N(x), its gradient and Hessian, body frame [m]; at x = 0 all are zero. On a rim of n < 2 (x, y or z exactly zero)
+/// the curvature is infinite: 1e100 relative to the half-axes stands for it.
 Gauge gauge(const Superquadric& shape, const Vec3& x);
 
-/// h(u), ∇h and ∇∇h; u ≠ 0, body frame. Where a face is flat (n > 2) radii reach 1e100 m instead of ∞.
+/// h(u), ∇h and ∇∇h, body frame; at u = 0 all are zero. Where a face is flat (n > 2 and a component of u exactly zero)
+/// the radius is infinite: 1e100 relative to the half-axes stands for it.
 Support support(const Superquadric& shape, const Vec3& u);
 
-/// The surface point with outward normal u [m].
+/// A symmetric matrix a aᵀ + b bᵀ. Its small eigenvalue keeps its digits beside a large one.
+struct RankTwoFactors {
+  Vec3 a, b;
+};
+
+/// The gauge's Hessian at the surface point on the ray through x ≠ 0 [1/m²].
+RankTwoFactors gauge_hessian_factors(const Superquadric& shape, const Vec3& x);
+
+/// The surface point with outward normal u [m], on symmetry planes exactly. At u = 0 it is zero.
 Vec3 support_point(const Superquadric& shape, const Vec3& u);
 
-/// Radius of the smallest sphere about the centre that holds the body [m].
+/// Radius of the smallest sphere about the centre that holds the body [m]; closed form, rounded up.
 double bounding_radius(const Superquadric& shape);
 
 OrientedBox oriented_box(const Superquadric& shape);
 
-/// Closed form by Beta functions (Jaklič, Leonardis & Solina 2000).
+/// Closed form by Beta functions.                                                [JLS00]
 MassProperties mass_properties(const Superquadric& shape);
 
 }  // namespace osculate

@@ -1,0 +1,155 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/narrow_bench.hpp"
+#include "app/progress.hpp"
+#include "io/table.hpp"
+#include "osculate/core/error.hpp"
+#include "osculate/geometry/superquadric_contacts.hpp"
+
+namespace osculate::app {
+namespace {
+
+constexpr const char* narrow_help =
+    R"(Nanoseconds per contact on one core: point, normal, overlap, principal curvatures and directions of both bodies;
+the median of the repetitions ± half the distance between their quartiles.
+  warm       from the last answer, after a pose change of 1e-4
+  cold       from nothing
+  separated  a gap of 1 % R_vol, with the separating direction cached
+  Hertz      the force from the radii of relative curvature
+  GJK/EPA    libccd on the same support functions: one scalar contact without curvature, its depth good to a few per cent
+Example:
+  osculate bench narrow --json > narrow.json)";
+
+struct BenchOptions {
+  bool json = false;
+  std::vector<std::string> classes;
+  NarrowSettings narrow;
+};
+
+std::string text_of(const Timing& timing) {
+  const int digits = timing.median < 100.0 ? 1 : 0;
+  return fmt::format("{:.{}f} ± {:.{}f}", timing.median, digits, timing.spread, digits);
+}
+
+std::string ratio_text(const Timing& slow, const Timing& fast) {
+  return fmt::format("{:.3g}", slow.median / fast.median);
+}
+
+nlohmann::ordered_json json_of(const Timing& timing) {
+  return {{"median_ns", timing.median}, {"spread_ns", timing.spread}};
+}
+
+nlohmann::ordered_json json_of(const NarrowTimes& times) {
+  return {{"class", times.name},
+          {"warm_batched", json_of(times.warm_batched)},
+          {"warm_scalar", json_of(times.warm_scalar)},
+          {"cold_batched", json_of(times.cold_batched)},
+          {"cold_scalar", json_of(times.cold_scalar)},
+          {"separated_batched", json_of(times.separated_batched)},
+          {"separated_scalar", json_of(times.separated_scalar)},
+          {"ccd", json_of(times.ccd)},
+          {"ccd_over_warm_batched", times.ccd.median / times.warm_batched.median},
+          {"ccd_over_cold_batched", times.ccd.median / times.cold_batched.median},
+          {"ccd_over_cold_scalar", times.ccd.median / times.cold_scalar.median},
+          {"unresolved", times.unresolved},
+          {"ccd_failures", times.ccd_failures},
+          {"ccd_median_relative_depth_error", times.ccd_depth_error}};
+}
+
+void print_text(const std::vector<NarrowTimes>& all, const Timing& hertz, const NarrowSettings& settings) {
+  fmt::print(
+      "Narrow phase of superquadrics: nanoseconds per contact on one core\n"
+      "{} pairs a class, overlap {:g} R_vol, pose change {:g}, {} repetitions, batches on {}\n\n",
+      settings.pairs, settings.overlap, settings.pose_change, settings.repetitions, batch_instruction_set());
+  io::Table batched{{"batched", "warm", "cold", "separated", "GJK/EPA", "GJK/EPA : warm", ": cold"}, {}};
+  io::Table scalar{{"scalar", "warm", "cold", "separated", "GJK/EPA", "GJK/EPA : warm", ": cold"}, {}};
+  for (const NarrowTimes& times : all) {
+    batched.rows.push_back({times.name, text_of(times.warm_batched), text_of(times.cold_batched),
+                            text_of(times.separated_batched), text_of(times.ccd),
+                            ratio_text(times.ccd, times.warm_batched), ratio_text(times.ccd, times.cold_batched)});
+    scalar.rows.push_back({times.name, text_of(times.warm_scalar), text_of(times.cold_scalar),
+                           text_of(times.separated_scalar), text_of(times.ccd),
+                           ratio_text(times.ccd, times.warm_scalar), ratio_text(times.ccd, times.cold_scalar)});
+  }
+  fmt::print("{}\n{}\n", io::to_text(batched), io::to_text(scalar));
+  fmt::print("Elliptical Hertz, batched, from the radii to force, ellipse, pressure, stiffness, energy: {} ns\n",
+             text_of(hertz));
+  std::string failures;
+  double worst = 0.0;
+  for (const NarrowTimes& times : all) {
+    worst = std::max(worst, times.ccd_depth_error);
+    if (times.ccd_failures > 0)
+      failures += fmt::format("{} {} ({})", failures.empty() ? "" : ",", times.ccd_failures, times.name);
+    if (times.unresolved > 0)
+      fmt::print("Not converged: {} of {} pairs ({})\n", times.unresolved, settings.pairs, times.name);
+  }
+  fmt::print("GJK/EPA: depth off by {:.1e} of itself (median, worst class)", worst);
+  fmt::print("{}\n", failures.empty() ? "." : "; contacts it missed:" + failures + ".");
+}
+
+std::vector<PairClass> chosen_classes(const std::vector<std::string>& names) {
+  std::vector<PairClass> all = narrow_classes();
+  if (names.empty()) return all;
+  std::vector<PairClass> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const PairClass& one) { return one.name == name; });
+    if (found == all.end()) {
+      std::string expected = "one of";
+      for (const PairClass& one : all) expected += " " + one.name;
+      throw InputError("--class", "\"" + name + "\"", expected);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+void bench_narrow(const BenchOptions& options) {
+  std::vector<NarrowTimes> all;
+  {
+    Progress progress("bench narrow");
+    const std::vector<PairClass> classes = chosen_classes(options.classes);
+    for (const PairClass& pair_class : classes) {
+      all.push_back(time_narrow_phase(pair_class, options.narrow));
+      progress.update(static_cast<double>(all.size()) / static_cast<double>(classes.size()));
+    }
+  }
+  const Timing hertz = time_hertz(options.narrow);
+  if (!options.json) return print_text(all, hertz, options.narrow);
+  nlohmann::ordered_json report{
+      {"instruction_set", batch_instruction_set()}, {"pairs", options.narrow.pairs},
+      {"repetitions", options.narrow.repetitions},  {"overlap_over_R_vol", options.narrow.overlap},
+      {"pose_change", options.narrow.pose_change},  {"hertz_batched", json_of(hertz)},
+      {"classes", nlohmann::ordered_json::array()}};
+  for (const NarrowTimes& times : all) report["classes"].push_back(json_of(times));
+  fmt::print("{}\n", report.dump(2));
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program) {
+  CLI::App* bench = program.add_subcommand("bench", "Measure what a contact costs on this machine");
+  bench->require_subcommand(1);
+  CLI::App* narrow = bench->add_subcommand("narrow", "Time of one contact of two superquadrics, class by class");
+  narrow->footer(narrow_help);
+  const auto options = std::make_shared<BenchOptions>();
+  narrow->add_flag("--json", options->json, "Print the numbers as JSON");
+  narrow->add_option("--class", options->classes, "Only these classes (sphere, ellipsoid, blocky, box, cylinder, ...)");
+  narrow->add_option("--pairs", options->narrow.pairs, "Pairs a class")
+      ->check(CLI::Range(16, 1000000))
+      ->capture_default_str();
+  narrow->add_option("--repetitions", options->narrow.repetitions, "Timed repetitions")
+      ->check(CLI::Range(3, 100000))
+      ->capture_default_str();
+  narrow
+      ->add_option("--epa-tolerance", options->narrow.epa_tolerance,
+                   "When libccd's EPA stops, in squared lengths of R_vol")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  narrow->callback([options] { bench_narrow(*options); });
+}
+
+}  // namespace osculate::app

@@ -1,0 +1,40 @@
+#include "app/stopwatch.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace osculate::app {
+namespace {
+
+/// The processor time of this thread [ns]: what other programs take meanwhile does not count.
+double thread_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  constexpr double nanoseconds_per_second = 1e9;
+  return nanoseconds_per_second * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+Timing time_of(std::size_t items, int repetitions, const std::function<void()>& prepare,
+               const std::function<void()>& work) {
+  std::vector<double> times;
+  // The first run, untimed, warms the memory and the processor.
+  prepare();
+  work();
+  for (int i = 0; i < repetitions; ++i) {
+    prepare();
+    const double start = thread_time();
+    work();
+    times.push_back((thread_time() - start) / static_cast<double>(items));
+  }
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
+  return {.median = at(0.5), .spread = 0.5 * (at(0.75) - at(0.25))};
+}
+
+}  // namespace osculate::app

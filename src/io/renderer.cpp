@@ -1,0 +1,148 @@
+#define GL_GLEXT_PROTOTYPES
+#include "io/renderer.hpp"
+
+#include <GL/osmesa.h>
+// After osmesa.h, which brings in gl.h.
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace osculate::io {
+namespace {
+
+constexpr int samples = 3;  // along each side of a pixel
+
+// Pixels to clip space; z is clipped at ±depth.
+constexpr const char* vertex_shader = R"(
+#version 120
+uniform vec2 size;
+uniform float depth;
+varying vec3 normal;
+varying vec4 colour;
+void main() {
+  normal = gl_Normal;
+  colour = gl_Color;
+  gl_Position = vec4(2.0 * gl_Vertex.x / size.x - 1.0, 2.0 * gl_Vertex.y / size.y - 1.0, -gl_Vertex.z / depth, 1.0);
+}
+)";
+
+// Sky light, a key light from the upper left and a weak fill; the eye is at infinity along +z.
+constexpr const char* fragment_shader = R"(
+#version 120
+varying vec3 normal;
+varying vec4 colour;
+void main() {
+  vec3 n = normalize(normal);
+  vec3 key = normalize(vec3(-0.45, 0.75, 0.85));
+  vec3 fill = normalize(vec3(0.9, -0.1, 0.5));
+  float light = 0.60 + 0.10 * n.y + 0.42 * max(dot(n, key), 0.0) + 0.14 * max(dot(n, fill), 0.0);
+  float gloss = 0.05 * (0.5 + 0.5 * dot(n, key)) + 0.16 * pow(max(dot(n, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
+  gl_FragColor = vec4(colour.rgb * light + gloss, colour.a);
+}
+)";
+
+/// A program of the two shaders, for the current context.
+GLuint compile_shaders() {
+  const GLuint program = glCreateProgram();
+  const auto attach = [&](GLenum stage, const char* source) {
+    const GLuint shader = glCreateShader(stage);
+    // A leading line break would come before #version.
+    const char* const text = source + 1;
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+  };
+  attach(GL_VERTEX_SHADER, vertex_shader);
+  attach(GL_FRAGMENT_SHADER, fragment_shader);
+  glLinkProgram(program);
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked != GL_TRUE) throw std::runtime_error("the software renderer cannot compile its shaders");
+  return program;
+}
+
+void draw(const PictureTriangles& triangles) {
+  if (triangles.triangles.empty()) return;
+  constexpr auto stride = static_cast<GLsizei>(sizeof(PictureVertex));
+  const PictureVertex& first = triangles.vertices.front();
+  glVertexPointer(3, GL_FLOAT, stride, first.position.data());
+  glNormalPointer(GL_FLOAT, stride, first.normal.data());
+  glColorPointer(4, GL_FLOAT, stride, first.colour.data());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles.triangles.size()), GL_UNSIGNED_INT,
+                 triangles.triangles.front().data());
+}
+
+double largest_depth(const RenderScene& scene) {
+  double largest = 1.0;
+  for (const auto* part : {&scene.opaque, &scene.translucent, &scene.on_top}) {
+    for (const auto& vertex : part->vertices) largest = std::max<double>(largest, std::fabs(vertex.position[2]));
+  }
+  return 1.01 * largest;
+}
+
+void draw_scene(const RenderScene& scene, int width, int height) {
+  const GLuint program = compile_shaders();
+  glUseProgram(program);
+  glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(scene.width), static_cast<float>(scene.height));
+  glUniform1f(glGetUniformLocation(program, "depth"), static_cast<float>(largest_depth(scene)));
+  glViewport(0, 0, width, height);
+  glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY}) glEnableClientState(array);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+
+  draw(scene.opaque);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  draw(scene.translucent);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  draw(scene.on_top);
+  glFinish();
+}
+
+/// OpenGL's rows run from the bottom, four bytes a sample.
+Image average(const std::vector<std::uint8_t>& fine, int width, int height) {
+  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  const std::size_t row_samples = static_cast<std::size_t>(width) * samples;
+  const auto rows = static_cast<std::size_t>(height) * samples;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        unsigned sum = 0;
+        for (std::size_t j = 0; j < samples; ++j) {
+          const std::size_t row = rows - 1 - (samples * y + j);
+          for (std::size_t i = 0; i < samples; ++i) sum += fine[4 * (row * row_samples + samples * x + i) + channel];
+        }
+        constexpr unsigned all = samples * samples;
+        image.pixels[3 * (y * static_cast<std::size_t>(width) + x) + channel] =
+            static_cast<std::uint8_t>((sum + all / 2) / all);
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+Image render(const RenderScene& scene) {
+  constexpr int depth_bits = 24;
+  const std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)> context(
+      OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, 0, 0, nullptr), &OSMesaDestroyContext);
+  const int width = samples * scene.width, height = samples * scene.height;
+  std::vector<std::uint8_t> fine(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  if (!context || OSMesaMakeCurrent(context.get(), fine.data(), GL_UNSIGNED_BYTE, width, height) != GL_TRUE) {
+    throw std::runtime_error("the software renderer cannot start");
+  }
+  draw_scene(scene, width, height);
+  return average(fine, scene.width, scene.height);
+}
+
+}  // namespace osculate::io

@@ -1,0 +1,264 @@
+// Superquadrics as the contact solver sees them: surface points to second order, in the body frame. A surface finds the
+// point nearest to a guess of point and normal, each kind from the side that is well conditioned for it:
+//   GaugeSurface    from the point, by the gauge: exponents ≥ 2, where normals are insensitive to errors of a point
+//   EvenSurface     the same for even exponents with n1 a multiple of n2: no transcendental function
+//   MixedSurface    each pair norm from the side on which it is Lipschitz: any exponents
+//   SupportSurface  from the normal alone: the support function
+#if defined(OSCULATE_SHAPES_SUPERQUADRIC_SURFACE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef OSCULATE_SHAPES_SUPERQUADRIC_SURFACE_INL
+#undef OSCULATE_SHAPES_SUPERQUADRIC_SURFACE_INL
+#else
+#define OSCULATE_SHAPES_SUPERQUADRIC_SURFACE_INL
+#endif
+
+#include "shapes/superquadric-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace osculate {
+namespace HWY_NAMESPACE {
+
+template <class Real>
+struct SuperquadricNumbers {
+  V3<Real> half_axes;
+  Real n1, n2;
+};
+
+/// How the normal turns as the point moves, when curvatures are bounded: n ≥ 2 and everything that is not a
+/// superquadric. The tangent-plane part of the matrix is the shape operator.
+template <class Real>
+struct BluntJet {
+  V3<Real> point, normal;
+  RankTwo<Real> curvature;
+};
+template <class Real>
+HWY_INLINE BluntJet<Real> select(MaskType<Real> condition, const BluntJet<Real>& yes, const BluntJet<Real>& no) {
+  return {select(condition, yes.point, no.point), select(condition, yes.normal, no.normal),
+          select(condition, yes.curvature, no.curvature)};
+}
+template <class Real>
+HWY_INLINE Sym2<Real> shape_operator(const BluntJet<Real>& jet, const TangentBasis<Real>& basis) {
+  return project(jet.curvature, basis);
+}
+
+/// The same where curvatures may be infinite: moving along the level parameter of the inner (a) or outer (b) pair norm
+/// changes the point by points.x and the normal by weight_x · curvature.x / |∇N|.
+template <class Real>
+struct SharpJet {
+  V3<Real> point, normal;
+  RankTwo<Real> curvature;
+  V3<Real> point_a, point_b;
+  Real weight_a, weight_b, steepness;  ///< steepness: |∇N|
+};
+template <class Real>
+HWY_INLINE SharpJet<Real> select(MaskType<Real> condition, const SharpJet<Real>& yes, const SharpJet<Real>& no) {
+  return {select(condition, yes.point, no.point),         select(condition, yes.normal, no.normal),
+          select(condition, yes.curvature, no.curvature), select(condition, yes.point_a, no.point_a),
+          select(condition, yes.point_b, no.point_b),     select(condition, yes.weight_a, no.weight_a),
+          select(condition, yes.weight_b, no.weight_b),   select(condition, yes.steepness, no.steepness)};
+}
+template <class Real>
+HWY_INLINE Sym2<Real> shape_operator(const SharpJet<Real>& jet, const TangentBasis<Real>& basis) {
+  return project(jet.curvature, basis);
+}
+
+/// The surface point with these pair norms, and its normal and curvature: K = ∇∇N/|∇N| in the tangent plane.
+template <class Jet, class Real>
+HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, const V3<Real>& sign,
+                      const V3<Real>& half_axes, const V3<Real>& inverse_axes) {
+  const V3<Real> s{sign.x * half_axes.x, sign.y * half_axes.y, sign.z * half_axes.z};
+  const V3<Real> i{sign.x * inverse_axes.x, sign.y * inverse_axes.y, sign.z * inverse_axes.z};
+  const V3<Real> gradient{outer.slope.p * inner.slope.p * i.x, outer.slope.p * inner.slope.q * i.y,
+                          outer.slope.q * i.z};
+  const Real steepness = norm(gradient), flatness = Real(1.0) / steepness;
+  const Real weight_a = inner.bend * outer.slope_over_hat, weight_b = outer.bend;
+  Jet jet;
+  jet.point = {outer.hat.p * inner.hat.p * s.x, outer.hat.p * inner.hat.q * s.y, outer.hat.q * s.z};
+  jet.normal = flatness * gradient;
+  jet.curvature = {weight_a * flatness,
+                   weight_b * flatness,
+                   {inner.hat.q * i.x, -inner.hat.p * i.y, Real(0.0)},
+                   {outer.hat.q * inner.slope.p * i.x, outer.hat.q * inner.slope.q * i.y, -outer.hat.p * i.z}};
+  if constexpr (requires { jet.point_a; }) {
+    jet.point_a = {inner.slope.q * s.x, -inner.slope.p * s.y, Real(0.0)};
+    jet.point_b = {outer.slope.q * inner.hat.p * s.x, outer.slope.q * inner.hat.q * s.y, -outer.slope.p * s.z};
+    jet.weight_a = weight_a;
+    jet.weight_b = weight_b;
+    jet.steepness = steepness;
+  }
+  return jet;
+}
+
+template <class Real, class Power>
+class GaugeSurface {
+ public:
+  using Jet = BluntJet<Real>;
+
+  HWY_INLINE explicit GaugeSurface(const SuperquadricNumbers<Real>& body)
+      : half_axes_(body.half_axes), norm_(gauge_norm(body.half_axes, body.n1, body.n2)) {}
+
+  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
+    const NestedJet<Real> jet = evaluate<Power>(norm_, point);
+    return jet_of<Jet>(jet.inner, jet.outer, jet.sign, half_axes_, norm_.scale);
+  }
+
+ private:
+  V3<Real> half_axes_;
+  NestedNorm<Real> norm_;
+};
+
+/// Jet of `JetType`: SharpJet where the exponents may be below 2.
+template <class JetType, class Real, class Power>
+class SupportSurface {
+ public:
+  using Jet = JetType;
+
+  HWY_INLINE explicit SupportSurface(const SuperquadricNumbers<Real>& body)
+      : inverse_axes_(inverse(body.half_axes)), norm_(support_norm(body.half_axes, body.n1, body.n2)) {}
+
+  HWY_INLINE Jet support(const V3<Real>& normal) const {
+    const NestedJet<Real> jet = evaluate<Power>(norm_, normal);
+    return jet_of<Jet>(dual(jet.inner), dual(jet.outer), jet.sign, norm_.scale, inverse_axes_);
+  }
+
+ private:
+  V3<Real> inverse_axes_;
+  NestedNorm<Real> norm_;
+};
+
+template <class Real>
+class MixedSurface {
+ public:
+  using Jet = SharpJet<Real>;
+
+  HWY_INLINE explicit MixedSurface(const SuperquadricNumbers<Real>& body)
+      : half_axes_(body.half_axes),
+        inverse_axes_(inverse(body.half_axes)),
+        outer_is_dual_(body.n1 < Real(2.0)),
+        inner_exponent_(body.n2),
+        inner_dual_(dual_exponent(body.n2)),
+        outer_exponent_(select(outer_is_dual_, dual_exponent(body.n1), body.n1)),
+        inner_bias_(select(body.n2 < Real(2.0), Real(1.0 / bias), Real(bias))) {}
+
+  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>& normal) const {
+    const V3<Real> c = times(absolute(point), inverse_axes_), m = times(absolute(normal), half_axes_);
+    // Near a sharp tip the normals know the direction in the x–y plane, near a flat pole the points.
+    const MaskType<Real> i =
+        max(m.x, m.y) * max(max(c.x, c.y), c.z) > inner_bias_ * (max(c.x, c.y) * max(max(m.x, m.y), m.z));
+    const MaskType<Real>& o = outer_is_dual_;
+    const PairNorm<Real> inner_seen =
+        pair_norm<RealPower>(select(i, m.x, c.x), select(i, m.y, c.y), select(i, inner_dual_, inner_exponent_));
+    const PairNorm<Real> inner = select(i, dual(inner_seen), inner_seen);
+    // By homogeneity a pair's value is its gradient times its coordinates, whichever side the gradient came from.
+    const Real rho = select(o, dot(inner.hat, V2<Real>{m.x, m.y}), dot(inner.slope, V2<Real>{c.x, c.y}));
+    const PairNorm<Real> outer_seen = pair_norm<RealPower>(rho, select(o, m.z, c.z), outer_exponent_);
+    const PairNorm<Real> outer = select(o, dual(outer_seen), outer_seen);
+    const V3<Real> sign =
+        sign_of(V3<Real>{select(i, normal.x, point.x), select(i, normal.y, point.y), select(o, normal.z, point.z)});
+    return jet_of<Jet>(inner, outer, sign, half_axes_, inverse_axes_);
+  }
+
+ private:
+  /// How much better the other side must know the inner direction before it is asked.
+  static constexpr double bias = 100.0;
+
+  static HWY_INLINE Real dual_exponent(const Real& n) { return n / (n - Real(1.0)); }
+
+  V3<Real> half_axes_, inverse_axes_;
+  MaskType<Real> outer_is_dual_;
+  Real inner_exponent_, inner_dual_, outer_exponent_, inner_bias_;
+};
+
+/// Shape operator: diagonal + mixed · across acrossᵀ, projected.
+template <class Real>
+struct EvenJet {
+  V3<Real> point, normal, diagonal, across;
+  Real mixed;
+};
+template <class Real>
+HWY_INLINE Sym2<Real> shape_operator(const EvenJet<Real>& jet, const TangentBasis<Real>& basis) {
+  const V3<Real> d1 = times(jet.diagonal, basis.e1), d2 = times(jet.diagonal, basis.e2);
+  const Real a1 = dot(jet.across, basis.e1), a2 = dot(jet.across, basis.e2), m1 = jet.mixed * a1;
+  return {fma(m1, a1, dot(d1, basis.e1)), fma(m1, a2, dot(d1, basis.e2)), fma(jet.mixed * a2, a2, dot(d2, basis.e2))};
+}
+
+/// The implicit form F = (X^n2 + Y^n2)^k + Z^n1 = N^n1, X = |x|/a …, k = n1/n2: integer powers only. Its level sets are
+/// those of the gauge, so normals are right off the surface too; the point is brought back to first order in F − 1.
+template <class Real>
+class EvenSurface {
+ public:
+  using Jet = EvenJet<Real>;
+
+  HWY_INLINE explicit EvenSurface(const SuperquadricNumbers<Real>& body)
+      : inverse_axes_(inverse(body.half_axes)),
+        n1_(body.n1),
+        n2_(body.n2),
+        inverse_n1_(Real(1.0) / body.n1),
+        inner_(Real(0.5) * body.n2 - Real(1.0)),
+        outer_(Real(0.5) * body.n1 - Real(1.0)),
+        nested_(body.n1 > body.n2),
+        multiple_(max(body.n1 / body.n2 - Real(2.0), Real(0.0))) {}
+
+  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
+    const Real one(1.0), zero(0.0);
+    const V3<Real> c = times(point, inverse_axes_);
+    const Real x2 = c.x * c.x, y2 = c.y * c.y, z2 = c.z * c.z;
+    const Real wx = inner_(x2), wy = inner_(y2), wz = outer_(z2);
+    const Real sum = fma(wx, x2, wy * y2);  // X^n2 + Y^n2
+    const Real steeper = multiple_(sum);    // sum^(k−2) for k ≥ 2
+    const Real steep = select(nested_, steeper * sum, one);
+    const Real excess = fma(steep, sum, fma(wz, z2, -one));
+    // ∇F/n1
+    const V3<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y, zero};
+    const V3<Real> gradient{steep * along.x, steep * along.y, wz * c.z * inverse_axes_.z};
+    // Level sets are homothetic: curvatures at the surface are those at the guess times N.
+    const Real back = one - excess * inverse_n1_;
+    const Real flatness = one / (norm(gradient) * back);
+    const Real inner_weight = flatness * steep * (n2_ - one);
+    Jet jet;
+    jet.point = back * point;
+    jet.normal = (flatness * back) * gradient;
+    jet.diagonal = {inner_weight * wx * square(inverse_axes_.x), inner_weight * wy * square(inverse_axes_.y),
+                    flatness * (n1_ - one) * wz * square(inverse_axes_.z)};
+    jet.across = along;
+    jet.mixed = select(nested_, flatness * (n1_ - n2_) * steeper, zero);
+    return jet;
+  }
+
+ private:
+  /// t^power for integers 0 … 31 by repeated squaring, as long as any lane needs.
+  class IntegerPower {
+   public:
+    HWY_INLINE explicit IntegerPower(const Real& power) {
+      Real rest = power;
+      while (any(rest > Real(0.0))) {
+        const Real half = floor(Real(0.5) * rest);
+        odd_[length_++] = half + half < rest;
+        rest = half;
+      }
+    }
+    HWY_INLINE Real operator()(const Real& t) const {
+      Real result(1.0), base = t;
+      for (int i = 0; i < length_; ++i) {
+        result = select(odd_[i], result * base, result);
+        base = base * base;
+      }
+      return result;
+    }
+
+   private:
+    int length_ = 0;
+    MaskType<Real> odd_[5];
+  };
+
+  V3<Real> inverse_axes_;
+  Real n1_, n2_, inverse_n1_;
+  IntegerPower inner_, outer_;
+  MaskType<Real> nested_;
+  IntegerPower multiple_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace osculate
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard

@@ -1,0 +1,46 @@
+#pragma once
+// Runs the built program as a user would and keeps what it said.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace osculate::test {
+
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A folder for the files of one test, empty.
+inline std::filesystem::path fresh_folder(const std::string& name) {
+  const auto folder = std::filesystem::temp_directory_path() / ("osculate_app_test_" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+struct Run {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+/// `arguments` as typed into a shell whose current folder is `folder`.
+inline Run run(const std::filesystem::path& folder, const std::string& arguments) {
+  const auto out = folder / "stdout.txt";
+  const auto err = folder / "stderr.txt";
+  const std::string command = "cd '" + folder.string() + "' && " OSCULATE_PROGRAM " " + arguments + " > '" +
+                              out.string() + "' 2> '" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  Run result{.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = content_of(out), .err = content_of(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return result;
+}
+
+}  // namespace osculate::test

@@ -1,0 +1,80 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "validation/kildashti2023/tables.hpp"
+
+namespace validation = osculate::validation;
+using validation::Verdict;
+
+namespace {
+validation::Comparison row(const std::string& item, const std::string& quantity) {
+  for (const auto& candidate : validation::kildashti2023::table1().rows)
+    if (candidate.item == item && candidate.quantity == quantity) return candidate;
+  FAIL("no row " + item + ", " + quantity);
+  return {};
+}
+}  // namespace
+
+TEST_CASE("A printed number is reproduced when its rounding meets the range of the computed one") {
+  const validation::Printed printed{1.5911, 4};
+  const auto verdict = [&](double low, double high) {
+    return validation::compare("", "", printed, low, validation::Interval{low, high}).verdict;
+  };
+  REQUIRE(verdict(1.5910, 1.59106) == Verdict::reproduced);
+  REQUIRE(verdict(1.5910, 1.59104) == Verdict::differs);
+  REQUIRE(verdict(1.59114, 1.60) == Verdict::reproduced);
+  REQUIRE(verdict(1.59116, 1.60) == Verdict::differs);
+  REQUIRE(validation::compare("", "", std::nullopt, 1.0, validation::Interval{1, 1}).verdict == Verdict::not_available);
+  REQUIRE(validation::compare("", "", printed, std::nullopt, std::nullopt).verdict == Verdict::not_available);
+}
+
+TEST_CASE("Table 1: the accurate forces of cases 1 and 2 come within the decoded radii's last two digits") {
+  REQUIRE(row("2", "accurate, axes by (14)").verdict == Verdict::reproduced);
+  for (const auto* item : {"1", "2"})
+    for (const auto* quantity : {"accurate, axes by (14)", "accurate, axes by (13)"}) {
+      const auto comparison = row(item, quantity);
+      // dF/dR_j ≈ 0.9: two units of 1e-4 in R_j.
+      REQUIRE(*comparison.computed == Approx(comparison.printed->value).margin(2e-4));
+      REQUIRE((comparison.verdict == Verdict::reproduced) == comparison.remark.empty());
+    }
+}
+
+TEST_CASE("Table 1: the printed forces of case 3 contradict the decoded radii, and the table says so") {
+  for (const auto* quantity : {"accurate, axes by (14)", "accurate, axes by (13)"}) {
+    const auto comparison = row("3", quantity);
+    REQUIRE(comparison.verdict == Verdict::differs);
+    REQUIRE(comparison.remark == "[b]");
+    REQUIRE(*comparison.computed == Approx(comparison.printed->value).epsilon(5e-3));  // as the note claims
+  }
+  // Their order is reversed: (14) lies below (13) for nearly circular contacts, above it in print.
+  REQUIRE(*row("3", "accurate, axes by (14)").computed < *row("3", "accurate, axes by (13)").computed);
+  REQUIRE(row("3", "accurate, axes by (14)").printed->value > row("3", "accurate, axes by (13)").printed->value);
+}
+
+TEST_CASE("Table 1: two radii at the cap make the simplified model root five") {
+  for (const auto* item : {"1", "2"}) {
+    REQUIRE(*row(item, "simplified").computed == Approx(std::sqrt(5.0)).epsilon(1e-15));
+    REQUIRE(row(item, "simplified").verdict == Verdict::reproduced);
+  }
+}
+
+TEST_CASE("Table 1: what is not known is not made up") {
+  REQUIRE_FALSE(row("3", "simplified").printed);
+  REQUIRE_FALSE(row("3", "simplified").computed);
+  REQUIRE(row("3", "simplified").range->low < row("3", "simplified").range->high);
+  for (const auto* item : {"1", "2", "3"}) {
+    REQUIRE(row(item, "FEM").verdict == Verdict::not_available);
+    REQUIRE_FALSE(row(item, "FEM").printed);
+  }
+}
+
+TEST_CASE("The table as JSON carries every row, with null for what is missing") {
+  const auto table = validation::kildashti2023::table1();
+  const auto json = nlohmann::json::parse(validation::to_json(table));
+  REQUIRE(json.at("rows").size() == table.rows.size());
+  REQUIRE(json.at("rows").at(3).at("quantity") == "FEM");
+  REQUIRE(json.at("rows").at(3).at("printed").is_null());
+  REQUIRE(json.at("rows").at(0).at("printed") == 1.5911);
+}

@@ -1,0 +1,31 @@
+#pragma once
+// The three poses of the review's Fig. 3. Its orientation angles are not defined in the text, so that reproduction
+// starts from the relative radii that the printed forces decode to, as far as those are known.
+
+#include <array>
+#include <string_view>
+
+#include "validation/comparison.hpp"
+
+namespace osculate::validation::kildashti2023 {
+
+/// The review's curvature floor, in units of the volume-equivalent radius.
+inline constexpr double radius_cap = 10.0;
+
+struct Case {
+  std::string_view name;
+  Printed R_i;  ///< in units of R_vol
+  Printed R_j;
+  bool R_i_at_cap;  ///< R_i is radius_cap itself: exact, and both bodies are flat along it
+
+  Interval R_i_range() const { return R_i_at_cap ? Interval{R_i.value, R_i.value} : rounded(R_i.value, R_i.decimals); }
+  Interval R_j_range() const { return rounded(R_j.value, R_j.decimals); }
+};
+
+inline constexpr std::array<Case, 3> cases{{
+    {"1", {radius_cap, 0}, {0.2270, 4}, true},
+    {"2", {radius_cap, 0}, {0.2286, 4}, true},
+    {"3", {0.3757, 4}, {0.2132, 4}, false},
+}};
+
+}  // namespace osculate::validation::kildashti2023

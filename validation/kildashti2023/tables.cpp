@@ -1,0 +1,10 @@
+#include "validation/kildashti2023/tables.hpp"
+
+namespace osculate::validation::kildashti2023 {
+
+const std::vector<Entry>& tables() {
+  static const std::vector<Entry> list{{"table1", table1}};
+  return list;
+}
+
+}  // namespace osculate::validation::kildashti2023
