@@ -156,18 +156,18 @@ std::string exactness(double relative_error) {
 }
 
 void add_measures(std::vector<io::Property>& rows, const io::ShapeProperties& p, const Writer& write) {
-  const auto& [volume, centroid, inertia, relative_error] = p.mass;
-  rows.push_back({"volume V", write.power(volume, 3, "³")});
+  const Mat3& inertia = p.mass.inertia;
+  rows.push_back({"volume V", write.power(p.mass.volume, 3, "³")});
   rows.push_back({"radius of equal sphere R_vol", write.length(p.equivalent_radius)});
-  rows.push_back({"centroid", write.lengths(centroid)});
+  rows.push_back({"centroid", write.lengths(p.mass.centroid)});
   const double fifth = std::pow(write.unit.in_si, 5);
-  const double zero = std::max(1e-12, relative_error) * inertia.diagonal().maxCoeff();
+  const double zero = std::max(1e-12, p.mass.relative_error) * inertia.diagonal().maxCoeff();
   for (int i = 0; i < 3; ++i) {
     const auto entry = [&](int j) { return std::fabs(inertia(i, j)) < zero ? 0.0 : inertia(i, j) / fifth; };
     const std::string value = fmt::format("{:>12.6g} {:>12.6g} {:>12.6g}", entry(0), entry(1), entry(2));
     rows.push_back({i == 0 ? fmt::format("inertia / density ({}⁵)", write.unit.symbol) : "", value});
   }
-  rows.push_back({"volume and inertia by", exactness(relative_error)});
+  rows.push_back({"volume and inertia by", exactness(p.mass.relative_error)});
   rows.push_back({"bounding radius", write.length(p.bounding_radius)});
   rows.push_back({"box, half extents", write.lengths(p.box.half_extents)});
   rows.push_back({"surface area A", fmt::format("{} ± {:.1g}", write.power(p.area, 2, "²"),

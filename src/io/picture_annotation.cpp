@@ -52,7 +52,7 @@ class Drawing {
     for (int y = 0; y < image.height; ++y) {
       auto* const row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(stride) * y);
       for (int x = 0; x < image.width; ++x) {
-        const std::uint8_t* const rgb = &image.pixels[3 * (static_cast<std::size_t>(y) * image.width + x)];
+        const std::uint8_t* const rgb = image.pixels.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x);
         row[x] = static_cast<std::uint32_t>(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
       }
     }

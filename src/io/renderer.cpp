@@ -92,7 +92,9 @@ void draw_scene(const RenderScene& scene, int width, int height) {
   glViewport(0, 0, width, height);
   glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY}) glEnableClientState(array);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glEnableClientState(GL_COLOR_ARRAY);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
 
@@ -110,7 +112,8 @@ void draw_scene(const RenderScene& scene, int width, int height) {
 
 /// OpenGL's rows run from the bottom, four bytes a sample.
 Image average(const std::vector<std::uint8_t>& fine, int width, int height) {
-  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  Image image{width, height,
+              std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
   const std::size_t row_samples = static_cast<std::size_t>(width) * samples;
   const auto rows = static_cast<std::size_t>(height) * samples;
   for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {

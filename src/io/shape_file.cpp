@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <system_error>
 
 #include "io/nearest_name.hpp"
@@ -182,16 +183,14 @@ std::vector<std::filesystem::path> catalogue_folders() {
 }
 
 std::vector<CatalogueEntry> catalogue() {
-  std::vector<CatalogueEntry> entries;
+  std::map<std::string, std::filesystem::path> files;
   for (const auto& folder : catalogue_folders()) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
-      if (file.path().extension() == ".toml") entries.push_back({file.path().stem().string(), file.path()});
+      if (file.path().extension() == ".toml") files.try_emplace(file.path().stem().string(), file.path());
     }
   }
-  const auto name = [](const CatalogueEntry& entry) -> const std::string& { return entry.name; };
-  std::ranges::stable_sort(entries, {}, name);
-  const auto repeated = std::ranges::unique(entries, {}, name);
-  entries.erase(repeated.begin(), repeated.end());
+  std::vector<CatalogueEntry> entries;
+  for (const auto& [name, file] : files) entries.push_back({name, file});
   return entries;
 }
 

@@ -12,7 +12,7 @@ struct ShapeProperties {
   double bounding_radius;     ///< about the body's origin [m]
   OrientedBox box;            ///< [m]
   double area;                ///< A [m²], from two meshes, extrapolated
-  double area_error;          ///< estimated [m²]
+  double area_error;          ///< the difference of the two meshes [m²]
   double sphericity;          ///< Ψ = area of the sphere of equal volume / A (Wadell 1932)
   double smallest_curvature;  ///< least k_min met on the mesh [1/m]
   double largest_curvature;   ///< largest k_max met on the mesh [1/m]; above 1e50/R_vol it stands for ∞
