@@ -1,45 +1,21 @@
-#include "superquadric_reference.hpp"
+#include "validation/narrow_phase/superquadric_reference.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-namespace osculate::reference {
+#include "validation/narrow_phase/plain_superquadric.hpp"
+
+namespace osculate::validation {
 namespace {
 
 template <class Real>
-using V = Eigen::Matrix<Real, 3, 1>;
+using V = plain::Vector<Real>;
 template <class Real>
 using V2 = Eigen::Matrix<Real, 2, 1>;
 template <class Real>
 using M = Eigen::Matrix<Real, 3, 3>;
-
-template <class Real>
-struct Value {
-  Real value;
-  V<Real> point;
-};
-
-/// h(u) = ((|a u_x|^q2 + |b u_y|^q2)^(q1/q2) + |c u_z|^q1)^(1/q1), q = n/(n−1), and ∇h.
-template <class Real>
-Value<Real> support(const V<Real>& half_axes, Real q1, Real q2, const V<Real>& u) {
-  const V<Real> full = half_axes.cwiseProduct(u.cwiseAbs());
-  const Real largest = full.maxCoeff();
-  if (!(largest > 0)) return {0, V<Real>::Zero()};
-  const V<Real> w = full / largest;
-  const Real s = w.x() + w.y() > 0 ? std::pow(std::pow(w.x(), q2) + std::pow(w.y(), q2), 1 / q2) : Real(0);
-  const Real h = std::pow(std::pow(s, q1) + std::pow(w.z(), q1), 1 / q1);
-  const Real along_s = std::pow(s / h, q1 - 1);
-  V<Real> point = V<Real>::Zero();
-  if (s > 0) {
-    point.x() = along_s * std::pow(w.x() / s, q2 - 1);
-    point.y() = along_s * std::pow(w.y() / s, q2 - 1);
-  }
-  point.z() = std::pow(w.z() / h, q1 - 1);
-  for (int i = 0; i < 3; ++i) point[i] *= std::copysign(half_axes[i], u[i]);
-  return {h * largest, point};
-}
 
 /// Both bodies relative to body 1's centre, lengths in units of the larger body.
 template <class Real>
@@ -49,16 +25,15 @@ struct Problem {
   M<Real> rotation_1, rotation_2;
 
   V<Real> on_1(const V<Real>& u) const {
-    return rotation_1 * support<Real>(axes_1, q1_1, q2_1, rotation_1.transpose() * u).point;
+    return rotation_1 * plain::support<Real>(axes_1, q1_1, q2_1, rotation_1.transpose() * u).point;
   }
   V<Real> on_2(const V<Real>& u) const {
-    return rotation_2 * support<Real>(axes_2, q1_2, q2_2, rotation_2.transpose() * -u).point + offset;
+    return rotation_2 * plain::support<Real>(axes_2, q1_2, q2_2, rotation_2.transpose() * -u).point + offset;
   }
-  Value<Real> operator()(const V<Real>& u) const {
-    const Value<Real> first = support<Real>(axes_1, q1_1, q2_1, rotation_1.transpose() * u);
-    const Value<Real> second = support<Real>(axes_2, q1_2, q2_2, rotation_2.transpose() * -u);
-    return {first.value + second.value - u.dot(offset),
-            rotation_1 * first.point - rotation_2 * second.point - offset};
+  plain::Support<Real> operator()(const V<Real>& u) const {
+    const plain::Support<Real> first = plain::support<Real>(axes_1, q1_1, q2_1, rotation_1.transpose() * u);
+    const plain::Support<Real> second = plain::support<Real>(axes_2, q1_2, q2_2, rotation_2.transpose() * -u);
+    return {first.value + second.value - u.dot(offset), rotation_1 * first.point - rotation_2 * second.point - offset};
   }
 };
 
@@ -105,7 +80,7 @@ struct Chart {
     const V<Real> w = centre + v.x() * e1 + v.y() * e2;
     const Real length = w.norm();
     const V<Real> u = w / length;
-    const Value<Real> here = (*g)(u);
+    const plain::Support<Real> here = (*g)(u);
     const V<Real> tangential = (here.point - here.value * u) / length;
     return {v, here.value, {tangential.dot(e1), tangential.dot(e2)}};
   }
@@ -181,8 +156,9 @@ Descent<Real> descend(const Problem<Real>& g, V<Real> u, int budget) {
   return {u, g(u).value};
 }
 
-/// Directions that between them fall into every basin: a Fibonacci lattice, the same lattice as normals of the inscribed
-/// ellipsoids (dense where flat bodies are flat), the bodies' axes, the crossings of their edges, the centre line.
+/// Directions that between them fall into every basin: a Fibonacci lattice, the same lattice as normals of the
+/// inscribed ellipsoids (dense where flat bodies are flat), the bodies' axes, the crossings of their edges, the centre
+/// line.
 std::vector<Vec3> starts(const Problem<double>& g) {
   std::vector<Vec3> found;
   const auto add = [&found](const Vec3& u) {
@@ -195,12 +171,10 @@ std::vector<Vec3> starts(const Problem<double>& g) {
     return Vec3(r * std::cos(turn), r * std::sin(turn), z);
   };
   for (int i = 0; i < 200; ++i) add(lattice(i, 200));
-  for (int i = 0; i < 100; ++i) {
-    const Vec3 s = lattice(i, 100);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 s = lattice(i, 60);
     add(g.rotation_1 * s.cwiseQuotient(g.axes_1));
     add(g.rotation_2 * s.cwiseQuotient(g.axes_2));
-    add(g.rotation_1 * s.cwiseProduct(g.axes_1));
-    add(g.rotation_2 * s.cwiseProduct(g.axes_2));
   }
   add(g.offset);
   for (int i = 0; i < 3; ++i)
@@ -214,28 +188,31 @@ std::vector<Vec3> starts(const Problem<double>& g) {
 
 }  // namespace
 
-Depth depth(const Superquadric& shape_1, const Pose& pose_1, const Superquadric& shape_2, const Pose& pose_2) {
+Depth reference_depth(const Superquadric& shape_1, const Pose& pose_1, const Superquadric& shape_2,
+                      const Pose& pose_2) {
   const double unit = std::max(shape_1.half_axes.maxCoeff(), shape_2.half_axes.maxCoeff());
   const Problem<double> rough = problem<double>(shape_1, pose_1, shape_2, pose_2, unit);
   const Problem<long double> fine = problem<long double>(shape_1, pose_1, shape_2, pose_2, unit);
 
+  constexpr int rough_evaluations = 40, fine_evaluations = 200;
   std::vector<Descent<double>> candidates;
-  for (const Vec3& u : starts(rough)) candidates.push_back(descend<double>(rough, u, 14));
+  for (const Vec3& u : starts(rough)) candidates.push_back(descend<double>(rough, u, rough_evaluations));
   const auto lower = [](const auto& a, const auto& b) { return a.value < b.value; };
   std::sort(candidates.begin(), candidates.end(), lower);
 
   constexpr std::size_t polished_at_most = 24;
-  constexpr double same_basin = 1e-3;      // [rad] before polishing: nearer candidates are taken for one
+  constexpr double same_basin = 1e-3;          // [rad] before polishing: nearer candidates are taken for one
   constexpr long double same_minimum = 1e-6L;  // [rad] after polishing
   std::vector<Vec3> taken;
   std::vector<Descent<long double>> minima;
   for (const Descent<double>& candidate : candidates) {
-    if (taken.size() == polished_at_most) break;
+    if (minima.size() == polished_at_most) break;
     const bool near =
         std::any_of(taken.begin(), taken.end(), [&](const Vec3& u) { return (u - candidate.u).norm() < same_basin; });
     if (near) continue;
+    minima.push_back(descend<long double>(fine, candidate.u.cast<long double>().normalized(), fine_evaluations));
     taken.push_back(candidate.u);
-    minima.push_back(descend<long double>(fine, candidate.u.cast<long double>().normalized(), 200));
+    taken.push_back(minima.back().u.cast<double>());
   }
   std::sort(minima.begin(), minima.end(), lower);
 
@@ -246,8 +223,8 @@ Depth depth(const Superquadric& shape_1, const Pose& pose_1, const Superquadric&
   const auto to_world = [&](const V<long double>& x) {
     return Vec3((x * length + pose_1.position.cast<long double>()).cast<double>());
   };
-  result.minimum = {u.cast<double>(), static_cast<double>(minima.front().value * length), to_world(on_1), to_world(on_2),
-                    static_cast<double>((apart - apart.dot(u) * u).norm() * length)};
+  result.minimum = {u.cast<double>(), static_cast<double>(minima.front().value * length), to_world(on_1),
+                    to_world(on_2), static_cast<double>((apart - apart.dot(u) * u).norm() * length)};
   for (const Descent<long double>& other : minima)
     if ((other.u - u).norm() > same_minimum) {
       result.next = static_cast<double>(other.value * length);
@@ -262,4 +239,4 @@ double overlap_along(const Vec3& normal, const Superquadric& shape_1, const Pose
       problem<long double>(shape_1, pose_1, shape_2, pose_2, 1.0)(normal.cast<long double>().normalized()).value);
 }
 
-}  // namespace osculate::reference
+}  // namespace osculate::validation
