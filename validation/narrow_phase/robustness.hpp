@@ -23,6 +23,7 @@ enum class Trouble : std::size_t {
   off_overlap,    ///< the overlap is not that of the points, or of the normal
   off_line,       ///< the points do not lie on one line along the normal
   not_deepest,    ///< another direction has a smaller overlap
+  reference,      ///< the plain multi-start solver finds another depth (asked for the first pairs only)
   wrong_sign,     ///< touching with a gap or separated with an overlap
   neighbour,      ///< alone in a call the pair gets other bits than among others
   swap,           ///< exchanged bodies give other bits
@@ -46,6 +47,7 @@ struct Finding {
 struct RobustnessRow {
   std::string family;
   std::size_t pairs = 0;
+  std::size_t references = 0;             ///< pairs compared with the plain multi-start solver
   std::array<std::size_t, 6> statuses{};  ///< by ContactStatus
   std::array<std::size_t, troubles> counts{};
   std::array<double, troubles> worst{};  ///< over the tolerance
@@ -67,6 +69,7 @@ struct RobustnessRun {
   std::string family;
   std::size_t pairs = 0;
   std::function<Candidate(std::size_t)> pair;  ///< pair number i
+  std::size_t references = 0;                  ///< so many of the first pairs are given to `reference_depth` too
   std::size_t most_findings = 20;              ///< kept of each kind of trouble; all are counted
 };
 
