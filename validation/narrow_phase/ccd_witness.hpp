@@ -13,11 +13,10 @@ struct CcdPenetration {
   Vec3 normal;   ///< from body 1 to body 2
 };
 
-/// GJK and EPA (ccdGJKPenetration): the depth of a polytope inscribed in the difference body, refined until a new
-/// support point gains less than `tolerance` (relative to the smaller body's R_vol). EPA refines the nearest face of
-/// its polytope, so that depth ≤ true depth ≤ depth + tolerance · R_vol where it converges on the right face; where
-/// libccd gives up early (degenerate faces) its answer may be far off on either side. Nothing if it finds no overlap or
-/// fails.
+/// GJK and EPA (ccdGJKPenetration): the distance to the nearest face of a polytope inscribed in the difference body. It
+/// is a lower bound: depth ≤ true depth, short of it by about √tolerance R_vol of the smaller body (libccd holds
+/// `tolerance` against squares). Where libccd gives up on degenerate faces it falls short by more: about one pair in a
+/// thousand. Nothing if it finds no overlap or fails.
 std::optional<CcdPenetration> ccd_gjk_epa(const Pair& pair, double tolerance);
 
 /// Minkowski portal refinement (ccdMPRPenetration): the overlap along the portal's normal near the centre line. It is
