@@ -35,7 +35,7 @@ Rows rows_from(const std::vector<Index>& list, Index start) {
 template <class Real>
 HWY_INLINE Real read(const double* column, const Rows& rows) {
   if (rows.consecutive) return load<Real>(column + rows.index[0], rows.count);
-  HWY_ALIGN double gathered[lanes<Real>()];
+  HWY_ALIGN double gathered[lanes<Real>()] = {};
   for (Index i = 0; i < rows.count; ++i) gathered[i] = column[rows.index[i]];
   return load<Real>(gathered, rows.count);
 }
@@ -122,15 +122,25 @@ struct Problem {
   V3<Real> centre_2;            ///< in the frame of the first
   Real size_1, size_2, length;  ///< largest half-axes, and the smaller of the two
 
+  HWY_INLINE Real coordinate_size() const { return size_1 + size_2 + norm(centre_2); }
+
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
-    return {Surface(body_1), Surface(body_2),    rotation,        centre_2,
-            length,          Real(1.0) / length, length / size_1, length / size_2};
+    const Real inverse_length = Real(1.0) / length;
+    return {.surface_1 = Surface(body_1),
+            .surface_2 = Surface(body_2),
+            .rotation = rotation,
+            .centre_2 = centre_2,
+            .length = length,
+            .inverse_length = inverse_length,
+            .share_1 = length / size_1,
+            .share_2 = length / size_2,
+            .round_off = Real(2.2e-16) * coordinate_size() * inverse_length};
   }
 };
 
 template <class Real>
-HWY_INLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
+HWY_NOINLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
   const Body<Real> given_1 = read_body<Real>(pairs, 0, rows);
   const Body<Real> given_2 = read_body<Real>(pairs, SuperquadricPairs::per_body, rows);
   const MaskType<Real> swapped = precedes(given_2, given_1);
@@ -167,7 +177,7 @@ HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Rea
 constexpr double flat_curvature = 1e-9;
 
 template <class Real>
-HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
+HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
                              ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
@@ -224,7 +234,7 @@ HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& a
 
 /// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
-HWY_INLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
+HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
                                 ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
                                 ContactCaches& caches, const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction);
@@ -263,7 +273,7 @@ HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports
 /// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
 template <class Real>
 HWY_INLINE Real overlap_tolerance(const Problem<Real>& problem) {
-  return Real(1e-12) * problem.length + Real(1e-14) * (problem.size_1 + problem.size_2 + norm(problem.centre_2));
+  return Real(1e-12) * problem.length + Real(1e-14) * problem.coordinate_size();
 }
 
 inline std::uint64_t used_lanes(const Rows& rows) {
