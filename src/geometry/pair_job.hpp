@@ -1,5 +1,6 @@
 #pragma once
-// The work of the narrow phase for pairs that are not both superquadrics: one job a pair, in a fixed order of the bodies.
+// The work of the narrow phase for pairs that are not both superquadrics: one job a pair, in a fixed order of the
+// bodies.
 
 #include <span>
 

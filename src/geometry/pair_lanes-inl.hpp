@@ -14,6 +14,7 @@
 
 #include "geometry/common_normal-inl.hpp"
 #include "geometry/pair_job.hpp"
+#include "geometry/pair_order.hpp"
 #include "shapes/potential_surface-inl.hpp"
 #include "shapes/wall_surface-inl.hpp"
 
@@ -93,17 +94,6 @@ struct ImplicitParticle {
   using Support = PotentialSurface<Real>;
 };
 
-inline Superquadric superquadric_of(const Shape& shape) {
-  return std::visit(
-      [](const auto& s) -> Superquadric {
-        if constexpr (requires { as_superquadric(s); })
-          return as_superquadric(s);
-        else
-          return {};
-      },
-      shape);
-}
-
 template <class Real, class Get>
 HWY_INLINE void read_numbers(const Jobs& jobs, const Get& shape_of, SuperquadricNumbers<Real>& numbers) {
   Superquadric shapes[lanes<Real>()];
@@ -156,7 +146,8 @@ template <class Real>
 HWY_INLINE Real size_of(const PotentialNumbers<Real>& numbers) {
   Real furthest_plane(0.0);
   for (const auto& plane : numbers.planes)
-    furthest_plane = max(furthest_plane, select(dot(plane.normal, plane.normal) > Real(0.0), plane.distance, Real(0.0)));
+    furthest_plane =
+        max(furthest_plane, select(dot(plane.normal, plane.normal) > Real(0.0), plane.distance, Real(0.0)));
   return min(furthest_plane + numbers.face_offset, numbers.farthest);
 }
 
@@ -170,7 +161,7 @@ struct Placement {
 };
 
 template <class Real>
-HWY_INLINE Placement<Real> placement_of(const Jobs& jobs) {
+HWY_NOINLINE Placement<Real> placement_of(const Jobs& jobs) {
   const V3<Real> position_1 = gather3<Real>(jobs, [](const PairJob& job) { return job.pose_1.position; });
   const V3<Real> position_2 = gather3<Real>(jobs, [](const PairJob& job) { return job.pose_2.position; });
   const Real w1 = gather<Real>(jobs, [](const PairJob& job) { return job.pose_1.orientation.w(); });
@@ -185,11 +176,11 @@ HWY_INLINE Placement<Real> placement_of(const Jobs& jobs) {
 /// The cached contact, in the frame of body 1. `centre_2` is where body 2's origin really is.
 template <class Real>
 HWY_INLINE Touch<Real> read_touch(const Jobs& jobs, const Placement<Real>& placement, const V3<Real>& centre_2) {
-  return {gather3<Real>(jobs, [](const PairJob& job) { return job.cache->point_1; }),
-          gather3<Real>(jobs, [](const PairJob& job) { return job.cache->normal_1; }),
-          placement.rotation.apply(gather3<Real>(jobs, [](const PairJob& job) { return job.cache->point_2; })) +
-              centre_2,
-          placement.rotation.apply(gather3<Real>(jobs, [](const PairJob& job) { return job.cache->normal_2; }))};
+  return {
+      gather3<Real>(jobs, [](const PairJob& job) { return job.cache->point_1; }),
+      gather3<Real>(jobs, [](const PairJob& job) { return job.cache->normal_1; }),
+      placement.rotation.apply(gather3<Real>(jobs, [](const PairJob& job) { return job.cache->point_2; })) + centre_2,
+      placement.rotation.apply(gather3<Real>(jobs, [](const PairJob& job) { return job.cache->normal_2; }))};
 }
 
 /// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
@@ -207,9 +198,9 @@ inline void give_up(const PairJob& job) {
 
 /// Hands the wanted lanes of an answer to their jobs.
 template <class Real>
-HWY_INLINE void write_answer(const Jobs& jobs, const Placement<Real>& placement, const V3<Real>& centre_2,
-                             const Real& length, const Answer<Real>& answer, std::uint64_t ambiguous,
-                             std::uint64_t wanted) {
+HWY_NOINLINE void write_answer(const Jobs& jobs, const Placement<Real>& placement, const V3<Real>& centre_2,
+                               const Real& length, const Answer<Real>& answer, std::uint64_t ambiguous,
+                               std::uint64_t wanted) {
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
   const auto in_world = [&](const V2<Real>& t) { return placement.frame.apply(lift(answer.basis, t)); };
   const Eigen2<Real> first = eigen(answer.shape_1), second = eigen(answer.shape_2);
@@ -230,10 +221,10 @@ HWY_INLINE void write_answer(const Jobs& jobs, const Placement<Real>& placement,
   for (std::size_t i = 0; i < jobs.count; ++i) {
     if (!has(wanted, i)) continue;
     ContactGeometry& contact = *jobs[i].contact;
-    contact.status = has(ambiguous, i)   ? ContactStatus::ambiguous
-                     : has(flat, i)      ? ContactStatus::flat
+    contact.status = has(ambiguous, i)  ? ContactStatus::ambiguous
+                     : has(flat, i)     ? ContactStatus::flat
                      : overlap[i] < 0.0 ? ContactStatus::separated
-                                         : ContactStatus::touching;
+                                        : ContactStatus::touching;
     contact.normal = normal[i];
     contact.overlap = overlap[i];
     contact.on_1 = on_1[i];
@@ -248,13 +239,12 @@ HWY_INLINE void write_answer(const Jobs& jobs, const Placement<Real>& placement,
 
 /// Hands out a direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
-HWY_INLINE void write_direction(const Jobs& jobs, const Placement<Real>& placement, const V3<Real>& direction,
-                                const Real& overlap, ContactStatus status, std::uint64_t wanted) {
+HWY_NOINLINE void write_direction(const Jobs& jobs, const Placement<Real>& placement, const V3<Real>& direction,
+                                  const Real& overlap, ContactStatus status, std::uint64_t wanted) {
   const Lanes3<Real> normal(placement.frame.apply(direction)), normal_1(direction),
       normal_2(placement.rotation.apply_inverse(-direction));
   const Lanes<Real> along(overlap);
-  const auto state =
-      status == ContactStatus::separated ? ContactCache::State::separation : ContactCache::State::empty;
+  const auto state = status == ContactStatus::separated ? ContactCache::State::separation : ContactCache::State::empty;
   for (std::size_t i = 0; i < jobs.count; ++i) {
     if (!has(wanted, i)) continue;
     *jobs[i].contact = {};
@@ -278,6 +268,12 @@ HWY_INLINE Answer<Real> answer_at(const Pair& pair, const Jet1& jet_1, const Jet
   answer.overlap = dot(jet_1.point - jet_2.point, answer.normal);
   answer.converged = answer.overlap == answer.overlap;
   return answer;
+}
+
+/// Newton's method, compiled once for each kind of pair.
+template <class Pair, class Real = typename Pair::Number>
+HWY_NOINLINE Answer<Real> newton(const Pair& pair, const Touch<Real>& start, int most_steps) {
+  return polish(pair, start, most_steps);
 }
 
 /// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.

@@ -20,10 +20,12 @@ class ParticlePair {
   using Supports = SurfacePair<Real, typename Kind1::template Support<Real>, typename Kind2::template Support<Real>>;
 
   HWY_INLINE explicit ParticlePair(const Jobs& jobs) : placement(placement_of<Real>(jobs)) {
-    read_numbers(jobs, [](const PairJob& job) -> const Shape& { return *job.shape_1; }, numbers_1_);
-    read_numbers(jobs, [](const PairJob& job) -> const Shape& { return *job.shape_2; }, numbers_2_);
-    size_1_ = size_of(numbers_1_);
-    size_2_ = size_of(numbers_2_);
+    read_numbers(
+        jobs, [](const PairJob& job) -> const Shape& { return *job.shape_1; }, numbers_1);
+    read_numbers(
+        jobs, [](const PairJob& job) -> const Shape& { return *job.shape_2; }, numbers_2);
+    size_1_ = size_of(numbers_1);
+    size_2_ = size_of(numbers_2);
     length = min(size_1_, size_2_);
     tolerance = overlap_tolerance(length, size_1_ + size_2_ + norm(placement.centre_2));
   }
@@ -31,20 +33,24 @@ class ParticlePair {
   HWY_INLINE Lifts lifts() const { return as<Lifts>(); }
   HWY_INLINE Supports supports() const { return as<Supports>(); }
 
+  typename Kind1::template Numbers<Real> numbers_1;
+  typename Kind2::template Numbers<Real> numbers_2;
   Placement<Real> placement;
   Real length, tolerance;
 
  private:
   template <class Pair>
   HWY_INLINE Pair as() const {
-    return {decltype(Pair::surface_1)(numbers_1_), decltype(Pair::surface_2)(numbers_2_),
-            placement.rotation,                    placement.centre_2,
-            length,                                Real(1.0) / length,
-            length / size_1_,                      length / size_2_};
+    return {decltype(Pair::surface_1)(numbers_1),
+            decltype(Pair::surface_2)(numbers_2),
+            placement.rotation,
+            placement.centre_2,
+            length,
+            Real(1.0) / length,
+            length / size_1_,
+            length / size_2_};
   }
 
-  typename Kind1::template Numbers<Real> numbers_1_;
-  typename Kind2::template Numbers<Real> numbers_2_;
   Real size_1_, size_2_;
 };
 
@@ -66,56 +72,95 @@ HWY_INLINE V3<Real> starting_direction(const Lifts& lifts, const Supports& suppo
   return best;
 }
 
-/// One pair that the usual start failed on: from many starts and with patience. The deepest minimum is the answer.
-template <class Kind1, class Kind2>
-void solve_hard(const Jobs& jobs) {
-  const ParticlePair<double, Kind1, Kind2> pair(jobs);
-  const auto lifts = pair.lifts();
-  const auto supports = pair.supports();
-  std::vector<V3<double>> starts;
-  if (dot(lifts.centre_2, lifts.centre_2) > 0.0) starts.push_back(starting_direction(lifts, supports));
-  for (int k = 0; k < 12; ++k) {
-    const double side = k % 2 == 0 ? 1.0 : -1.0;
-    const int axis = k / 2 % 3;
-    const V3<double> unit{axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, axis == 2 ? side : 0.0};
-    starts.push_back(k < 6 ? unit : pair.placement.rotation.apply(unit));
+/// The deepest minimum of those found so far.
+template <class Pair>
+class Candidates {
+ public:
+  HWY_INLINE explicit Candidates(const Pair& pair) : pair_(pair), lifts_(pair.lifts()), supports_(pair.supports()) {
+    best_.converged = false;
   }
-  double least = std::numeric_limits<double>::infinity();
-  V3<double> best_direction = starts.front();
-  Answer<double> best;
-  best.converged = false;
-  bool ambiguous = false;
-  for (const V3<double>& start : starts) {
+
+  HWY_NOINLINE void consider(const V3<double>& start, const Effort& effort) {
     double lowest = 0.0;
-    const Touch<double> touch = descend(lifts, supports, start, stubborn, lowest);
-    if (!(lowest == lowest)) continue;
-    if (lowest < least) {
-      least = lowest;
-      best_direction = touch.normal_1;
+    const Touch<double> touch = descend(lifts_, supports_, start, effort, lowest);
+    if (!(lowest == lowest)) return;
+    if (lowest < least_) {
+      least_ = lowest;
+      direction_ = touch.normal_1;
     }
-    Answer<double> answer = polish(lifts, touch, stubborn.newtons);
-    if (!(answer.converged && answer.overlap <= lowest + pair.tolerance)) {
+    Answer<double> answer = newton(lifts_, touch, effort.newtons);
+    if (!(answer.converged && answer.overlap <= lowest + pair_.tolerance)) {
       // Where planes come into play at the contact itself Newton's method may cycle, though the direction is found.
-      answer = answer_at<double>(supports, supports.support_1(touch.normal_1), supports.support_2(-touch.normal_1));
+      answer = answer_at<double>(supports_, supports_.support_1(touch.normal_1), supports_.support_2(-touch.normal_1));
       const V3<double> apart = answer.touch.point_1 - answer.touch.point_2 - answer.overlap * answer.normal;
       constexpr double found = 1e-9;
-      if (!(norm(apart) <= found * pair.length)) continue;
+      if (!(norm(apart) <= found * pair_.length)) return;
     }
-    if (!best.converged || answer.overlap < best.overlap - pair.tolerance) {
-      best = answer;
-      ambiguous = false;
-    } else if (answer.overlap <= best.overlap + pair.tolerance) {
+    if (!best_.converged || answer.overlap < best_.overlap - pair_.tolerance) {
+      best_ = answer;
+      ambiguous_ = false;
+    } else if (answer.overlap <= best_.overlap + pair_.tolerance) {
       constexpr double another = 1e-6;
-      ambiguous = ambiguous || norm(answer.normal - best.normal) > another;
+      ambiguous_ = ambiguous_ || norm(answer.normal - best_.normal) > another;
     }
   }
-  if (best.converged && best.overlap <= least + pair.tolerance)
-    write_answer(jobs, pair.placement, pair.placement.centre_2, pair.length, best, ambiguous ? 1 : 0, 1);
-  else if (std::isfinite(least))
-    write_direction(jobs, pair.placement, best_direction, least, ContactStatus::not_converged, 1);
-  else
-    give_up(jobs[0]);
+
+  bool found() const { return best_.converged && best_.overlap <= least_ + pair_.tolerance; }
+
+  void write(const Jobs& jobs) const {
+    if (found())
+      write_answer(jobs, pair_.placement, pair_.placement.centre_2, pair_.length, best_, ambiguous_ ? 1 : 0, 1);
+    else if (std::isfinite(least_))
+      write_direction(jobs, pair_.placement, direction_, least_, ContactStatus::not_converged, 1);
+    else
+      give_up(jobs[0]);
+  }
+
+ private:
+  const Pair& pair_;
+  typename Pair::Lifts lifts_;
+  typename Pair::Supports supports_;
+  Answer<double> best_;
+  V3<double> direction_{0.0, 0.0, 0.0};
+  double least_ = std::numeric_limits<double>::infinity();
+  bool ambiguous_ = false;
+};
+
+inline void add_normals(const SuperquadricNumbers<double>&, std::vector<V3<double>>& normals) {
+  for (const double side : {1.0, -1.0}) {
+    normals.push_back({side, 0.0, 0.0});
+    normals.push_back({0.0, side, 0.0});
+    normals.push_back({0.0, 0.0, side});
+  }
 }
+inline void add_normals(const PotentialNumbers<double>& numbers, std::vector<V3<double>>& normals) {
+  for (const auto& plane : numbers.planes) normals.push_back(plane.normal);
+}
+
+/// One pair that the usual start failed on, or so deep that it may have several minima: from the faces of both bodies
+/// too, and at last with patience.
+template <class Kind1, class Kind2>
+void solve_with_care(const Jobs& jobs) {
+  const ParticlePair<double, Kind1, Kind2> pair(jobs);
+  Candidates<ParticlePair<double, Kind1, Kind2>> candidates(pair);
+  const V3<double>& toward = pair.placement.centre_2;
+  std::vector<V3<double>> starts, of_body_2;
+  if (dot(toward, toward) > 0.0) starts.push_back(starting_direction(pair.lifts(), pair.supports()));
+  add_normals(pair.numbers_1, starts);
+  add_normals(pair.numbers_2, of_body_2);
+  for (const V3<double>& normal : of_body_2) starts.push_back(-pair.placement.rotation.apply(normal));
+  for (const V3<double>& start : starts) candidates.consider(start, usual);
+  if (!candidates.found()) {
+    for (const V3<double>& start : starts) {
+      candidates.consider(start, stubborn);
+      if (candidates.found()) break;
+    }
+  }
+  candidates.write(jobs);
+}
+
+/// An overlap above this (over L) may have several minima.
+constexpr double deep = 0.1;
 
 template <class Kind1, class Kind2, class Real>
 void solve_cold(const Jobs& jobs, Gap gap, std::vector<PairJob*>& unsolved) {
@@ -130,8 +175,9 @@ void solve_cold(const Jobs& jobs, Gap gap, std::vector<PairJob*>& unsolved) {
     write_direction(jobs, pair.placement, touch.normal_1, least, ContactStatus::separated, solved);
   }
   if (solved != jobs.all()) {
-    const Answer<Real> answer = polish(lifts, touch, usual.newtons);
-    const auto good = answer.converged & (answer.overlap <= least + pair.tolerance);
+    const Answer<Real> answer = newton(lifts, touch, usual.newtons);
+    const auto good =
+        answer.converged & (answer.overlap <= least + pair.tolerance) & (answer.overlap <= Real(deep) * pair.length);
     const std::uint64_t converged = bits(good) & jobs.all() & ~solved;
     write_answer(jobs, pair.placement, pair.placement.centre_2, pair.length, answer, 0, converged);
     solved |= converged;
@@ -144,7 +190,7 @@ template <class Kind1, class Kind2, class Real>
 void solve_warm(const Jobs& jobs, std::vector<PairJob*>& unsolved) {
   const ParticlePair<Real, Kind1, Kind2> pair(jobs);
   const V3<Real>& centre_2 = pair.placement.centre_2;
-  const Answer<Real> answer = polish(pair.lifts(), read_touch<Real>(jobs, pair.placement, centre_2), usual.newtons);
+  const Answer<Real> answer = newton(pair.lifts(), read_touch<Real>(jobs, pair.placement, centre_2), usual.newtons);
   const std::uint64_t converged = bits(answer.converged) & jobs.all();
   write_answer(jobs, pair.placement, centre_2, pair.length, answer, 0, converged);
   for (std::size_t i = 0; i < jobs.count; ++i)
@@ -174,10 +220,15 @@ void solve_group(const std::vector<PairJob*>& group, Gap gap) {
     else
       cold.push_back(job);
   }
-  in_batches(warm, [&](const Jobs& jobs, auto real) { solve_warm<Kind1, Kind2, typename decltype(real)::type>(jobs, cold); });
-  in_batches(apart, [&](const Jobs& jobs, auto real) { check_separation<Kind1, Kind2, typename decltype(real)::type>(jobs, cold); });
-  in_batches(cold, [&](const Jobs& jobs, auto real) { solve_cold<Kind1, Kind2, typename decltype(real)::type>(jobs, gap, hard); });
-  for (PairJob* job : hard) solve_hard<Kind1, Kind2>(Jobs{&job, 1});
+  in_batches(warm,
+             [&](const Jobs& jobs, auto real) { solve_warm<Kind1, Kind2, typename decltype(real)::type>(jobs, cold); });
+  in_batches(apart, [&](const Jobs& jobs, auto real) {
+    check_separation<Kind1, Kind2, typename decltype(real)::type>(jobs, cold);
+  });
+  in_batches(cold, [&](const Jobs& jobs, auto real) {
+    solve_cold<Kind1, Kind2, typename decltype(real)::type>(jobs, gap, hard);
+  });
+  for (PairJob* job : hard) solve_with_care<Kind1, Kind2>(Jobs{&job, 1});
 }
 
 void potential_pairs(std::span<PairJob> jobs, Gap gap) {

@@ -21,7 +21,8 @@ class WallPair {
 
   HWY_INLINE WallPair(const Jobs& jobs, const Real& wall_radius)
       : radius(wall_radius), placement(placement_of<Real>(jobs)), wall_origin(placement.centre_2) {
-    read_numbers(jobs, [](const PairJob& job) -> const Shape& { return *job.shape_1; }, numbers_);
+    read_numbers(
+        jobs, [](const PairJob& job) -> const Shape& { return *job.shape_1; }, numbers_);
     size = size_of(numbers_);
     length = min(size, Real(0.5) * radius);
   }
@@ -38,8 +39,8 @@ class WallPair {
 
   template <class Wall>
   HWY_INLINE SurfacePair<Real, Lift, Wall> with(const Wall& wall) const {
-    return {Lift(numbers_), wall, placement.rotation, centre(), length, Real(1.0) / length, length / size,
-            length / size};
+    return {Lift(numbers_),     wall,          placement.rotation, centre(), length,
+            Real(1.0) / length, length / size, length / size};
   }
 
   Real radius;  ///< of the wall; ∞ for a plane
@@ -95,7 +96,7 @@ class RodSearch {
     V3<Real> normal;
     Real overlap, slope;
   };
-  HWY_INLINE Value at(const V3<Real>& normal) const {
+  HWY_NOINLINE Value at(const V3<Real>& normal) const {
     const V3<Real> from_axis = support_.support(normal).point - pair_.centre();
     return {normal, pair_.radius + dot(from_axis, normal), dot(from_axis, cross(pair_.axis(), normal))};
   }
@@ -104,10 +105,12 @@ class RodSearch {
     return Real(std::cos(angle)) * x_ + Real(std::sin(angle)) * y_;
   }
   /// The cached normal, turned into the plane around the axis.
-  HWY_INLINE V3<Real> around_axis(const V3<Real>& v) const { return normalised(v - dot(v, pair_.axis()) * pair_.axis()); }
+  HWY_INLINE V3<Real> around_axis(const V3<Real>& v) const {
+    return normalised(v - dot(v, pair_.axis()) * pair_.axis());
+  }
 
   /// The minimum next to a sample that is not above its neighbours: between it and the neighbour that lies downhill.
-  HWY_INLINE Value refine(const Value& lowest, const V3<Real>& before, const V3<Real>& after, int most_steps) const {
+  HWY_NOINLINE Value refine(const Value& lowest, const V3<Real>& before, const V3<Real>& after, int most_steps) const {
     const Real zero(0.0);
     const MaskType<Real> rises = lowest.slope > zero;
     V3<Real> low = select(rises, before, lowest.normal), high = select(rises, lowest.normal, after);
@@ -131,12 +134,12 @@ class RodSearch {
 
 /// Newton's method from there; where it fails, what halving the angle found stands by itself.
 template <class Real, class Surfaces, class Kind, class Value>
-HWY_INLINE Answer<Real> polish_rod(const Surfaces& surfaces, const WallPair<Real, Kind>& pair, const Value& value) {
+HWY_NOINLINE Answer<Real> polish_rod(const Surfaces& surfaces, const WallPair<Real, Kind>& pair, const Value& value) {
   const auto jet_1 = pair.supports().support(value.normal);
-  const auto jet_2 = surfaces.lift_2(pair.centre() - value.normal + dot(jet_1.point, pair.axis()) * pair.axis(),
-                                     -value.normal);
+  const auto jet_2 =
+      surfaces.lift_2(pair.centre() - value.normal + dot(jet_1.point, pair.axis()) * pair.axis(), -value.normal);
   const Answer<Real> found = answer_at<Real>(surfaces, jet_1, jet_2);
-  const Answer<Real> polished = polish(surfaces, found.touch, usual.newtons);
+  const Answer<Real> polished = newton(surfaces, found.touch, usual.newtons);
   return select(polished.converged & (polished.overlap <= found.overlap + pair.tolerance()), polished, found);
 }
 
@@ -156,8 +159,7 @@ void solve_rod_warm(const Jobs& jobs, std::vector<PairJob*>& unsolved) {
   WallPair<Real, Kind> pair(jobs, cylinder_radius<Real>(jobs));
   pair.slide_along_axis();
   const auto surfaces = pair.with(CylinderSurface<Real>{pair.radius, Real(rod_side)});
-  const Answer<Real> answer =
-      polish(surfaces, read_touch<Real>(jobs, pair.placement, pair.wall_origin), usual.newtons);
+  const Answer<Real> answer = newton(surfaces, read_touch<Real>(jobs, pair.placement, pair.wall_origin), usual.newtons);
   const std::uint64_t converged = bits(answer.converged) & jobs.all();
   finish(jobs, pair, answer, 0, converged);
   for (std::size_t i = 0; i < jobs.count; ++i)
@@ -300,7 +302,7 @@ class FurthestSearch {
     Real distance;
   };
   /// From a direction of any length; one without a part across the axis leads nowhere.
-  HWY_INLINE Place at(const V3<Real>& direction) const {
+  HWY_NOINLINE Place at(const V3<Real>& direction) const {
     const V3<Real> across = Wall::across(direction, pair_.axis());
     const Real length = norm(across), one(1.0), zero(0.0);
     const MaskType<Real> none = !(length > Real(1e-12) * norm(direction));
@@ -311,7 +313,7 @@ class FurthestSearch {
   HWY_INLINE V3<Real> outward(const V3<Real>& point) const {
     return Wall::across(point - pair_.centre(), pair_.axis());
   }
-  HWY_INLINE Place climb(Place place, int most_steps) const {
+  HWY_NOINLINE Place climb(Place place, int most_steps) const {
     for (int i = 0; i < most_steps; ++i) {
       const Place next = at(outward(place.point));
       const MaskType<Real> further = next.distance > place.distance;
@@ -340,13 +342,13 @@ class FurthestSearch {
 
 /// Newton's method from there; where it fails (a particle that fits the wall snugly), what climbing found stands.
 template <class Real, class Surfaces, class Kind, class Place>
-HWY_INLINE Answer<Real> polish_furthest(const Surfaces& surfaces, const WallPair<Real, Kind>& pair,
-                                        const Place& place) {
+HWY_NOINLINE Answer<Real> polish_furthest(const Surfaces& surfaces, const WallPair<Real, Kind>& pair,
+                                          const Place& place) {
   const auto jet_1 = pair.supports().support(place.normal);
   const auto jet_2 = surfaces.lift_2(jet_1.point, -jet_1.normal);
   Answer<Real> found = answer_at<Real>(surfaces, jet_1, jet_2);
   found.overlap = dot(jet_1.point - jet_2.point, found.normal);
-  const Answer<Real> polished = polish(surfaces, found.touch, usual.newtons);
+  const Answer<Real> polished = newton(surfaces, found.touch, usual.newtons);
   return select(polished.converged & (polished.overlap >= found.overlap - pair.tolerance()), polished, found);
 }
 
@@ -355,7 +357,7 @@ template <class Real, class Kind, class Wall>
 void solve_furthest_warm(const Jobs& jobs, std::vector<PairJob*>& unsolved) {
   WallPair<Real, Kind> pair(jobs, Wall::radius_of(jobs));
   Wall::slide(pair);
-  const Answer<Real> answer = polish(pair.with(Wall::surface(pair.radius)),
+  const Answer<Real> answer = newton(pair.with(Wall::surface(pair.radius)),
                                      read_touch<Real>(jobs, pair.placement, pair.wall_origin), usual.newtons);
   const FurthestSearch<Real, Kind, Wall> search(pair);
   MaskType<Real> good = answer.converged;
@@ -436,9 +438,8 @@ template <class Kind>
 void solve_group(WallKind wall, const std::vector<PairJob*>& group, Gap gap) {
   switch (wall) {
     case half_space:
-      return in_batches(group, [&](const Jobs& jobs, auto real) {
-        solve_plane<typename decltype(real)::type, Kind>(jobs, gap);
-      });
+      return in_batches(
+          group, [&](const Jobs& jobs, auto real) { solve_plane<typename decltype(real)::type, Kind>(jobs, gap); });
     case rod:
       return solve_rods<Kind>(group, gap);
     case drum:
@@ -455,9 +456,8 @@ void wall_pairs(std::span<PairJob> jobs, Gap gap) {
     for (std::size_t wall = 0; wall < wall_kinds; ++wall) {
       const auto& group = groups[kind][wall];
       if (group.empty()) continue;
-      visit_kind(kind, [&](auto particle) {
-        solve_group<decltype(particle)>(static_cast<WallKind>(wall), group, gap);
-      });
+      visit_kind(kind,
+                 [&](auto particle) { solve_group<decltype(particle)>(static_cast<WallKind>(wall), group, gap); });
     }
   }
 }

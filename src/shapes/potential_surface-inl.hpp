@@ -84,9 +84,9 @@ template <class Real>
 struct PotentialNumbers {
   std::vector<PotentialPlane<Real>> planes;
   Real of_planes, of_sphere;
-  Real face_offset;                    ///< no plane lets the surface further out than d + this; ∞ for spheres
-  Real farthest;                       ///< R/√k: no point is further out
-  mutable std::vector<Real> in_play;   ///< 1 or 0 for each plane, while the support point is sought
+  Real face_offset;                   ///< no plane lets the surface further out than d + this; ∞ for spheres
+  Real farthest;                      ///< R/√k: no point is further out
+  mutable std::vector<Real> in_play;  ///< 1 or 0 for each plane, while the support point is sought
 };
 
 template <class Real>
@@ -97,9 +97,9 @@ class PotentialSurface {
   HWY_INLINE explicit PotentialSurface(const PotentialNumbers<Real>& body) : body_(&body) {}
 
   /// The surface point on the ray through `point` ≠ 0.
-  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const { return jet_at(stretch(point) * point); }
+  HWY_NOINLINE Jet lift(const V3<Real>& point, const V3<Real>&) const { return jet_at(stretch(point) * point); }
 
-  HWY_INLINE Jet support(const V3<Real>& normal) const {
+  HWY_NOINLINE Jet support(const V3<Real>& normal) const {
     const V3<Real> point = follow_to_support_point(normal);
     return jet_at(stretch(point) * point);
   }
@@ -107,7 +107,7 @@ class PotentialSurface {
  private:
   /// The t > 0 with f(t x) = 0. f is convex along the ray: whatever the first step of Newton's method gives is not
   /// below, and from above the steps decrease monotonically until rounding stops them.
-  HWY_INLINE Real stretch(const V3<Real>& x) const {
+  HWY_NOINLINE Real stretch(const V3<Real>& x) const {
     const Real zero(0.0), two(2.0);
     const Real sphere = body_->of_sphere * dot(x, x), inverse_length = Real(1.0) / norm(x);
     Real t(1.0), above = body_->farthest * inverse_length;
@@ -119,8 +119,7 @@ class PotentialSurface {
         const Real weight = body_->of_planes * beyond;
         value += weight * beyond;
         slope += two * weight * along;
-        if (step == 0)
-          above = select(along > zero, min(above, (plane.distance + body_->face_offset) / along), above);
+        if (step == 0) above = select(along > zero, min(above, (plane.distance + body_->face_offset) / along), above);
       }
       const Real next = min(t - value / slope, above);
       const MaskType<Real> moves = step == 0 ? next == next : next < t;
@@ -130,7 +129,7 @@ class PotentialSurface {
     return t;
   }
 
-  HWY_INLINE Jet jet_at(const V3<Real>& point) const {
+  HWY_NOINLINE Jet jet_at(const V3<Real>& point) const {
     const Real zero(0.0), two(2.0);
     V3<Real> gradient = (two * body_->of_sphere) * point;
     for (const PotentialPlane<Real>& plane : body_->planes) {

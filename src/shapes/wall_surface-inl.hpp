@@ -30,7 +30,8 @@ struct CylinderSurface {
     const Real zero(0.0), one(1.0), length = sqrt(fma(point.x, point.x, point.y * point.y));
     const MaskType<Real> on_axis = length <= zero;
     const Real over = one / select(on_axis, one, length);
-    const Real x = select(on_axis, side * normal.x, point.x * over), y = select(on_axis, side * normal.y, point.y * over);
+    const Real x = select(on_axis, side * normal.x, point.x * over),
+               y = select(on_axis, side * normal.y, point.y * over);
     return {{radius * x, radius * y, point.z},
             {side * x, side * y, zero},
             {side / radius, zero, {-y, x, zero}, {zero, zero, one}}};
