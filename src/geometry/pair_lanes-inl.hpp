@@ -37,7 +37,7 @@ inline bool has(std::uint64_t set, std::size_t lane) {
 
 template <class Real, class Get>
 HWY_INLINE Real gather(const Jobs& jobs, const Get& get) {
-  HWY_ALIGN double values[lanes<Real>()];
+  HWY_ALIGN double values[lanes<Real>()] = {};
   for (std::size_t i = 0; i < jobs.count; ++i) values[i] = get(jobs[i]);
   return load<Real>(values, jobs.count);
 }
@@ -99,7 +99,7 @@ HWY_INLINE void read_numbers(const Jobs& jobs, const Get& shape_of, Superquadric
   Superquadric shapes[lanes<Real>()];
   for (std::size_t i = 0; i < jobs.count; ++i) shapes[i] = superquadric_of(shape_of(jobs[i]));
   const auto each = [&](const auto& get) {
-    HWY_ALIGN double values[lanes<Real>()];
+    HWY_ALIGN double values[lanes<Real>()] = {};
     for (std::size_t i = 0; i < jobs.count; ++i) values[i] = get(shapes[i]);
     return load<Real>(values, jobs.count);
   };
@@ -275,6 +275,9 @@ template <class Pair, class Real = typename Pair::Number>
 HWY_NOINLINE Answer<Real> newton(const Pair& pair, const Touch<Real>& start, int most_steps) {
   return polish(pair, start, most_steps);
 }
+
+/// Of a coordinate, relative to its size.
+constexpr double round_off = 2.2e-16;
 
 /// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
 template <class Real>

@@ -27,7 +27,7 @@ class ParticlePair {
     size_1_ = size_of(numbers_1);
     size_2_ = size_of(numbers_2);
     length = min(size_1_, size_2_);
-    tolerance = overlap_tolerance(length, size_1_ + size_2_ + norm(placement.centre_2));
+    tolerance = overlap_tolerance(length, coordinate_size());
   }
 
   HWY_INLINE Lifts lifts() const { return as<Lifts>(); }
@@ -39,16 +39,20 @@ class ParticlePair {
   Real length, tolerance;
 
  private:
+  HWY_INLINE Real coordinate_size() const { return size_1_ + size_2_ + norm(placement.centre_2); }
+
   template <class Pair>
   HWY_INLINE Pair as() const {
-    return {decltype(Pair::surface_1)(numbers_1),
-            decltype(Pair::surface_2)(numbers_2),
-            placement.rotation,
-            placement.centre_2,
-            length,
-            Real(1.0) / length,
-            length / size_1_,
-            length / size_2_};
+    const Real inverse_length = Real(1.0) / length;
+    return {.surface_1 = decltype(Pair::surface_1)(numbers_1),
+            .surface_2 = decltype(Pair::surface_2)(numbers_2),
+            .rotation = placement.rotation,
+            .centre_2 = placement.centre_2,
+            .length = length,
+            .inverse_length = inverse_length,
+            .share_1 = length / size_1_,
+            .share_2 = length / size_2_,
+            .round_off = Real(round_off) * coordinate_size() * inverse_length};
   }
 
   Real size_1_, size_2_;

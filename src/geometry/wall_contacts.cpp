@@ -28,7 +28,7 @@ class WallPair {
   }
 
   HWY_INLINE V3<Real> axis() const { return placement.rotation.column_z; }
-  HWY_INLINE Real tolerance() const { return overlap_tolerance(length, size + radius_or_zero() + norm(centre())); }
+  HWY_INLINE Real tolerance() const { return overlap_tolerance(length, coordinate_size()); }
   HWY_INLINE const V3<Real>& centre() const { return placement.centre_2; }
 
   /// The wall is the same seen from any of its symmetric points: that next to the particle loses no digits.
@@ -39,8 +39,16 @@ class WallPair {
 
   template <class Wall>
   HWY_INLINE SurfacePair<Real, Lift, Wall> with(const Wall& wall) const {
-    return {Lift(numbers_),     wall,          placement.rotation, centre(), length,
-            Real(1.0) / length, length / size, length / size};
+    const Real inverse_length = Real(1.0) / length, share = length / size;
+    return {.surface_1 = Lift(numbers_),
+            .surface_2 = wall,
+            .rotation = placement.rotation,
+            .centre_2 = centre(),
+            .length = length,
+            .inverse_length = inverse_length,
+            .share_1 = share,
+            .share_2 = share,
+            .round_off = Real(round_off) * coordinate_size() * inverse_length};
   }
 
   Real radius;  ///< of the wall; ∞ for a plane
@@ -49,8 +57,9 @@ class WallPair {
   Real size, length;
 
  private:
-  HWY_INLINE Real radius_or_zero() const {
-    return select(radius < Real(std::numeric_limits<double>::infinity()), radius, Real(0.0));
+  HWY_INLINE Real coordinate_size() const {
+    const MaskType<Real> curved = radius < Real(std::numeric_limits<double>::infinity());
+    return size + select(curved, radius, Real(0.0)) + norm(centre());
   }
 
   typename Kind::template Numbers<Real> numbers_;
@@ -340,16 +349,27 @@ class FurthestSearch {
   typename Kind::template Support<Real> support_;
 };
 
+/// True if the particle reaches out along the answer's normal as far as the answer says.
+template <class Real, class Kind, class Wall>
+HWY_INLINE MaskType<Real> reaches_out(const FurthestSearch<Real, Kind, Wall>& search, const Real& tolerance,
+                                      const WallPair<Real, Kind>& pair, const Answer<Real>& answer) {
+  const Real reach = dot(search.outward(search.at(answer.normal).point), answer.normal) - pair.radius;
+  return abs(reach - answer.overlap) <= tolerance;
+}
+
 /// Newton's method from there; where it fails (a particle that fits the wall snugly), what climbing found stands.
-template <class Real, class Surfaces, class Kind, class Place>
+template <class Real, class Surfaces, class Kind, class Wall>
 HWY_NOINLINE Answer<Real> polish_furthest(const Surfaces& surfaces, const WallPair<Real, Kind>& pair,
-                                          const Place& place) {
+                                          const FurthestSearch<Real, Kind, Wall>& search,
+                                          const typename FurthestSearch<Real, Kind, Wall>::Place& place) {
   const auto jet_1 = pair.supports().support(place.normal);
   const auto jet_2 = surfaces.lift_2(jet_1.point, -jet_1.normal);
-  Answer<Real> found = answer_at<Real>(surfaces, jet_1, jet_2);
-  found.overlap = dot(jet_1.point - jet_2.point, found.normal);
+  const Answer<Real> found = answer_at<Real>(surfaces, jet_1, jet_2);
   const Answer<Real> polished = newton(surfaces, found.touch, usual.newtons);
-  return select(polished.converged & (polished.overlap >= found.overlap - pair.tolerance()), polished, found);
+  const Real tolerance = pair.tolerance();
+  return select(polished.converged & (polished.overlap >= found.overlap - tolerance) &
+                    reaches_out(search, tolerance, pair, polished),
+                polished, found);
 }
 
 /// Warm contacts are followed, but another part of the particle may have come further out meanwhile.
@@ -360,7 +380,7 @@ void solve_furthest_warm(const Jobs& jobs, std::vector<PairJob*>& unsolved) {
   const Answer<Real> answer = newton(pair.with(Wall::surface(pair.radius)),
                                      read_touch<Real>(jobs, pair.placement, pair.wall_origin), usual.newtons);
   const FurthestSearch<Real, Kind, Wall> search(pair);
-  MaskType<Real> good = answer.converged;
+  MaskType<Real> good = answer.converged & reaches_out(search, pair.tolerance(), pair, answer);
   for (int k = 0; k < search.starts; ++k)
     good = good & (search.at(search.start(k)).distance <= pair.radius + answer.overlap + pair.tolerance());
   const std::uint64_t solved = bits(good) & jobs.all();
@@ -397,10 +417,10 @@ void solve_furthest(const Jobs& jobs, Gap gap) {
     if (done == jobs.all()) return;
   }
   const auto surfaces = pair.with(Wall::surface(pair.radius));
-  Answer<Real> answer = polish_furthest<Real>(surfaces, pair, best);
+  Answer<Real> answer = polish_furthest(surfaces, pair, search, best);
   MaskType<Real> ambiguous = answer.overlap < answer.overlap;
   if (any(rival.distance > best.distance - another)) {
-    const Answer<Real> other = polish_furthest<Real>(surfaces, pair, rival);
+    const Answer<Real> other = polish_furthest(surfaces, pair, search, rival);
     const MaskType<Real> elsewhere =
         (norm(other.touch.point_1 - answer.touch.point_1) > another) & (rival.distance > Real(0.0));
     const MaskType<Real> further = elsewhere & (other.overlap > answer.overlap + pair.tolerance());
