@@ -365,22 +365,21 @@ void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCo
     const std::uint64_t used = used_lanes(rows);
     V3<Real> best_direction = first_direction(lifts, supports);
     Real least = overlap_along(supports, best_direction);
-    Answer<Real> best;
-    for (int k = -1; k < 12; ++k) {
+    const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) {
       Real lowest(0.0);
-      const Touch<Real> touch =
-          descend(lifts, supports, k < 0 ? best_direction : axis_direction(problem, k), stubborn, lowest);
-      const Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
-      const auto good = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem));
-      best_direction = select(lowest < least, touch.normal_1, best_direction);
-      least = min(least, lowest);
-      if (k < 0) {
-        best = answer;
-        best.converged = good;
-      } else {
-        best = select(good & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
-      }
-      if (k < 0 && (bits(good) & used) == used) break;
+      const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+      Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
+      answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
+      const MaskType<Real> lower = open & (lowest < least);
+      best_direction = select(lower, touch.normal_1, best_direction);
+      least = select(lower, lowest, least);
+      return answer;
+    };
+    Answer<Real> best = attempt(best_direction, least == least);
+    const MaskType<Real> open = !best.converged;
+    for (int k = 0; k < 12 && (bits(open) & used) != 0; ++k) {
+      const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+      best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
     }
     const auto found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
     const std::uint64_t converged = bits(found) & used;
@@ -442,10 +441,14 @@ void confirm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColum
     PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
                          problem.size_1 + problem.size_2);
     const auto minimum_from = [&](const V3<double>& direction) {
-      double lowest = 0.0;
-      const Touch<double> touch = descend(lifts, supports, direction, stubborn, lowest);
-      Answer<double> answer = polish(lifts, touch, stubborn.newtons);
-      answer.converged = answer.converged && answer.overlap <= lowest + equal;
+      Answer<double> answer;
+      for (const Effort& effort : {usual, stubborn}) {
+        double lowest = 0.0;
+        const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
+        answer = polish(lifts, touch, effort.newtons);
+        answer.converged = answer.converged && answer.overlap <= lowest + equal;
+        if (answer.converged) break;
+      }
       return answer;
     };
     for (int k = 0; k < most_supports; ++k) {
