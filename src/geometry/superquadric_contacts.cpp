@@ -256,8 +256,11 @@ HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& 
 /// The best of the centre line and both bodies' normals on it.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
 HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
-  const V3<Real> toward = lifts.centre_2, centre_line = normalised(toward);
   const Real zero(0.0);
+  // From coincident centres any direction is as good a start.
+  const V3<Real> toward =
+      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
+  const V3<Real> centre_line = normalised(toward);
   const V3<Real> origin{zero, zero, zero};
   const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
   V3<Real> best = centre_line;

@@ -254,20 +254,21 @@ void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* po
 TEST_CASE("GJK and EPA find the same depth") {
   int compared = 0;
   constexpr double metre = 100.0;  // libccd's tolerances are absolute: bodies of its own size
+  constexpr double epa_tolerance = 1e-10;
   for (const Pair& pair : touching_pairs(9, metre)) {
     if (!is_particle(pair.b.shape)) continue;
     ccd_t settings;
     CCD_INIT(&settings);
     settings.support1 = ccd_support;
     settings.support2 = ccd_support;
-    settings.epa_tolerance = 1e-9;
+    settings.epa_tolerance = epa_tolerance;
     settings.max_iterations = 1000;
     ccd_real_t depth = 0.0;
     ccd_vec3_t direction, position;
     if (ccdGJKPenetration(&pair.a, &pair.b, &settings, &depth, &direction, &position) != 0) continue;
     ++compared;
-    // EPA stops when a support point gains less than its tolerance; the square of its normal's error remains.
-    CHECK(checks::contact_of(pair.a, pair.b).overlap == Approx(depth).margin(1e-5 * size * metre));
+    // EPA stops when the square of what a support point gains is less than its tolerance.
+    CHECK(checks::contact_of(pair.a, pair.b).overlap == Approx(depth).margin(std::sqrt(epa_tolerance)));
   }
   CHECK(compared > 20);
 }
