@@ -35,11 +35,12 @@ inline bool has(std::uint64_t set, std::size_t lane) {
   return (set >> lane & 1U) != 0;
 }
 
+/// Lanes beyond the last job repeat it.
 template <class Real, class Get>
 HWY_INLINE Real gather(const Jobs& jobs, const Get& get) {
-  HWY_ALIGN double values[lanes<Real>()] = {};
-  for (std::size_t i = 0; i < jobs.count; ++i) values[i] = get(jobs[i]);
-  return load<Real>(values, jobs.count);
+  HWY_ALIGN double values[lanes<Real>()];
+  for (std::size_t i = 0; i < lanes<Real>(); ++i) values[i] = get(jobs[std::min(i, jobs.count - 1)]);
+  return load<Real>(values, lanes<Real>());
 }
 template <class Real, class Get>
 HWY_INLINE V3<Real> gather3(const Jobs& jobs, const Get& get) {
@@ -96,12 +97,8 @@ struct ImplicitParticle {
 
 template <class Real, class Get>
 HWY_INLINE void read_numbers(const Jobs& jobs, const Get& shape_of, SuperquadricNumbers<Real>& numbers) {
-  Superquadric shapes[lanes<Real>()];
-  for (std::size_t i = 0; i < jobs.count; ++i) shapes[i] = superquadric_of(shape_of(jobs[i]));
   const auto each = [&](const auto& get) {
-    HWY_ALIGN double values[lanes<Real>()] = {};
-    for (std::size_t i = 0; i < jobs.count; ++i) values[i] = get(shapes[i]);
-    return load<Real>(values, jobs.count);
+    return gather<Real>(jobs, [&](const PairJob& job) { return get(superquadric_of(shape_of(job))); });
   };
   numbers.half_axes = {each([](const Superquadric& s) { return s.half_axes.x(); }),
                        each([](const Superquadric& s) { return s.half_axes.y(); }),
