@@ -209,7 +209,8 @@ template <>
 HWY_INLINE Batch load<Batch>(const double* from, std::size_t count) {
   if (count >= lanes<Batch>()) return Batch(hn::LoadU(Tag(), from));
   HWY_ALIGN double padded[lanes<Batch>()];
-  for (std::size_t i = 0; i < lanes<Batch>(); ++i) padded[i] = from[i < count ? i : count - 1];
+  double last = from[0];
+  for (std::size_t i = 0; i < lanes<Batch>(); ++i) padded[i] = last = i < count ? from[i] : last;
   return Batch(hn::Load(Tag(), padded));
 }
 
