@@ -168,6 +168,18 @@ struct CurveSearch {
   MaskType<Real> abandoned;  // the target lies beyond the fold: the contact has parted
 };
 
+template <class Real>
+HWY_INLINE CurveSearch<Real> select(const MaskType<Real>& condition, const CurveSearch<Real>& yes,
+                                    const CurveSearch<Real>& no) {
+  return {select(condition, yes.a, no.a),
+          select(condition, yes.g, no.g),
+          select(condition, yes.force, no.force),
+          select(condition, yes.overlap, no.overlap),
+          select(condition, yes.stiffness, no.stiffness),
+          select(condition, yes.found, no.found),
+          select(condition, yes.abandoned, no.abandoned)};
+}
+
 /// e^x to the second order, for steps of |x| ≤ 1 in a logarithm.
 template <class Real>
 HWY_INLINE Real exponential(const Real& x) {

@@ -50,10 +50,15 @@ void johnson_greenwood_contacts(const johnson_greenwood::BatchInput& input, std:
                                     select(good, work, zero));
     const Batch depth = select(touching, overlap, one);
     const Batch fresh_a = major_axis_guess(pair, depth);
-    const Batch a_start = select(was_closed, a_before, fresh_a);
-    const Batch fresh_g = all(was_closed | !touching) ? one : axis_ratio_guess(pair, fresh_a);
-    const Batch g_start = min(max(select(was_closed, g_before, fresh_g), pair.hertz.axis_ratio), one);
-    const auto search = search_curve<OverlapControl>(pair, depth, a_start, g_start, touching);
+    const auto from_fresh = [&](Mask wanted) {
+      const Batch g = min(max(axis_ratio_guess(pair, fresh_a), pair.hertz.axis_ratio), one);
+      return search_curve<OverlapControl>(pair, depth, fresh_a, g, wanted);
+    };
+    const Batch g_before_on = min(max(g_before, pair.hertz.axis_ratio), one);
+    auto search = search_curve<OverlapControl>(pair, depth, a_before, g_before_on, touching & was_closed);
+    // New contacts, and those whose memory led nowhere: only a search from the right can tell that one has parted.
+    const Mask unsettled = touching & !search.found;
+    if (any(unsettled)) search = select(unsettled, from_fresh(unsettled), search);
 
     const Mask closed = touching & !search.abandoned;
     const Batch a = select(closed, search.a, zero), g = select(closed, search.g, zero);

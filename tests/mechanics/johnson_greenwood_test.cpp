@@ -186,7 +186,7 @@ TEST_CASE("A circular contact snaps off where JKR does") {
 }
 
 TEST_CASE("A cycle of snap-in and snap-off loses Thornton and Ning's energy") {
-  // 7.09 (Γ⁵R⁴/Ê²)^{1/3}, Thornton & Ning 1998, printed to three digits; Γ is the work of adhesion W.
+  // 7.09 (Γ⁵R⁴/Ê²)^{1/3}, [TN98], printed to three digits; Γ is the work of adhesion W.
   const auto pair = pair_of(1.0);
   const double scale =
       std::cbrt(std::pow(pair.work_of_adhesion, 5) * std::pow(mean_radius(pair), 4) / (pair.modulus * pair.modulus));
@@ -347,6 +347,21 @@ TEST_CASE("Adhesive contacts close at touch, hold on beyond it and let go at sna
   for (int i = 2; i < 5; ++i) {
     REQUIRE(column.status[static_cast<std::size_t>(i)] == jg::Status::apart);
     REQUIRE_FALSE(column.memory[static_cast<std::size_t>(i)].closed());
+  }
+}
+
+TEST_CASE("A memory that has become useless does not open a contact or change its force") {
+  const auto pair = pair_of(20.0);
+  const double overlap = 0.3 * jg::snap_off(pair).overlap;
+  const auto state = *jg::at_overlap(pair, overlap);
+  Columns column;
+  for (const double wrong : {1e-4, 0.03, 0.5, 2.0, 1e4})
+    for (const double g : {1e-3, 0.5, 1.0}) column.add(pair, overlap, {.a_c = wrong * state.a_c, .axis_ratio = g});
+  column.run();
+  for (std::size_t i = 0; i < column.force.size(); ++i) {
+    CAPTURE(i);
+    REQUIRE(column.status[i] == jg::Status::closed);
+    REQUIRE(column.force[i] == Approx(state.force).epsilon(1e-11));
   }
 }
 

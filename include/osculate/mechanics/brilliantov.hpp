@@ -1,6 +1,6 @@
 #pragma once
 // Viscoelastic dissipation in a contact of two bodies: the elastic law, with its elastic constants replaced by viscous
-// ones and its displacements by their rates.                                            [BSHP96; BAAP07; KDY23 §5]
+// ones and its displacements by their rates.                                            [BSHP96; BAAP07]
 // The material's time first, then the dissipative forces on top of any elastic law, then what a collision loses.
 
 #include "osculate/mechanics/johnson_greenwood.hpp"

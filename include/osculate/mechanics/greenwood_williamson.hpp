@@ -1,6 +1,6 @@
 #pragma once
 // Rough elastic contact: spherical asperities of Gaussian height on the contact area of smooth bodies.
-//                                                                                              [GW66; KDY23 §4]
+//                                                                                              [GW66]
 // Integrals over the heights first, then a rough patch at a prescribed separation, then a rough contact in a DEM step,
 // where roughness and bulk share the overlap. h = d/σ is the separation of the mean planes in deviations of height.
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rough contact with elliptical asperities that yield: elastic, elastic-plastic and plastic.      [JW03; KDY23 §4.2]
+// Rough contact with elliptical asperities that yield: elastic, elastic-plastic and plastic.      [JW03]
 // One asperity first, then a patch of them at a prescribed separation, then the patch's Taylor series.
 
 #include <array>
@@ -43,6 +43,7 @@ struct Asperity {
   double full_plastic;    ///< δ_n2 [m]
 };
 /// First yield where the mean elastic pressure is kH: δ_n1 = (kH area_factor/force_factor)².          [KDY23 (50)]
+/// Full plasticity at δ_n2 = plastic_ratio δ_n1.                                                      [KDY23 (52)]
 /// Throws InputError on a bad surface.
 Asperity asperity(const Surface& surface);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Adhesive elastic contact of smooth bodies: the JKR theory for elliptical contacts.            [JG05; KDY23 §3]
+// Adhesive elastic contact of smooth bodies: the JKR theory for elliptical contacts.            [JG05]
 // States along the equilibrium curve first, then the curve under force or overlap control, then contacts with memory.
 //
 // The traction over an ellipse of semi-axes a ≥ b is (P_0 − P_1 x²/a² − P_2 y²/b²)/(1 − x²/a² − y²/b²)^{1/2}: P_1 and
