@@ -21,7 +21,6 @@ constexpr double normal_force = 5.0, limit = 2.0;
 }  // namespace
 
 TEST_CASE("Loading at constant load is Mindlin's curve with exponent one third") {
-  wf::Memory memory;
   for (const double s : {1e-6, 1e-5, 1e-4, 2e-4}) {
     wf::Memory fresh;
     // Mindlin: T = μN [1 − (1 − 2/3 K0 s/(μN))^{3/2}]
