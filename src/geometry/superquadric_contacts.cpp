@@ -179,7 +179,7 @@ constexpr double flat_curvature = 1e-9;
 
 template <class Real>
 HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
-                             ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
+                               ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
   const auto& pair = problem;
@@ -236,8 +236,8 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
 /// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
 HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
-                                ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
-                                ContactCaches& caches, const Rows& rows) {
+                                  ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
+                                  ContactCaches& caches, const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction);
   auto& columns = contacts.columns;
   write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
@@ -256,8 +256,11 @@ HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& 
 /// The best of the centre line and both bodies' normals on it.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
 HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
-  const V3<Real> toward = lifts.centre_2, centre_line = normalised(toward);
   const Real zero(0.0);
+  // From coincident centres any direction is as good a start.
+  const V3<Real> toward =
+      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
+  const V3<Real> centre_line = normalised(toward);
   const V3<Real> origin{zero, zero, zero};
   const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
   V3<Real> best = centre_line;
@@ -365,22 +368,21 @@ void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCo
     const std::uint64_t used = used_lanes(rows);
     V3<Real> best_direction = first_direction(lifts, supports);
     Real least = overlap_along(supports, best_direction);
-    Answer<Real> best;
-    for (int k = -1; k < 12; ++k) {
+    const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) {
       Real lowest(0.0);
-      const Touch<Real> touch =
-          descend(lifts, supports, k < 0 ? best_direction : axis_direction(problem, k), stubborn, lowest);
-      const Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
-      const auto good = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem));
-      best_direction = select(lowest < least, touch.normal_1, best_direction);
-      least = min(least, lowest);
-      if (k < 0) {
-        best = answer;
-        best.converged = good;
-      } else {
-        best = select(good & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
-      }
-      if (k < 0 && (bits(good) & used) == used) break;
+      const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+      Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
+      answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
+      const MaskType<Real> lower = open & (lowest < least);
+      best_direction = select(lower, touch.normal_1, best_direction);
+      least = select(lower, lowest, least);
+      return answer;
+    };
+    Answer<Real> best = attempt(best_direction, least == least);
+    const MaskType<Real> open = !best.converged;
+    for (int k = 0; k < 12 && (bits(open) & used) != 0; ++k) {
+      const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+      best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
     }
     const auto found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
     const std::uint64_t converged = bits(found) & used;
@@ -412,8 +414,12 @@ inline bool is_certainly_global(const SuperquadricPairs& pairs, double overlap, 
   return overlap <= radii;
 }
 
-inline Vec3 vec3(const V3<double>& v) { return {v.x, v.y, v.z}; }
-inline V3<double> v3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 vec3(const V3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+inline V3<double> v3(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across.
 /// A second minimum as shallow as the first within round-off makes the contact ambiguous.
@@ -442,10 +448,14 @@ void confirm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColum
     PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
                          problem.size_1 + problem.size_2);
     const auto minimum_from = [&](const V3<double>& direction) {
-      double lowest = 0.0;
-      const Touch<double> touch = descend(lifts, supports, direction, stubborn, lowest);
-      Answer<double> answer = polish(lifts, touch, stubborn.newtons);
-      answer.converged = answer.converged && answer.overlap <= lowest + equal;
+      Answer<double> answer;
+      for (const Effort& effort : {usual, stubborn}) {
+        double lowest = 0.0;
+        const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
+        answer = polish(lifts, touch, effort.newtons);
+        answer.converged = answer.converged && answer.overlap <= lowest + equal;
+        if (answer.converged) break;
+      }
       return answer;
     };
     for (int k = 0; k < most_supports; ++k) {
