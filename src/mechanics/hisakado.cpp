@@ -13,7 +13,8 @@ Surface surface(double asperity_radius, double height_deviation, double asperiti
                 const ElasticMaterial& material_2, double friction) {
   const auto require = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value))
-      throw InputError("hisakado::surface", std::string(name) + " " + std::to_string(value), "a positive, finite value");
+      throw InputError("hisakado::surface", std::string(name) + " " + std::to_string(value),
+                       "a positive, finite value");
   };
   require("asperity radius", asperity_radius);
   require("height deviation", height_deviation);
@@ -59,9 +60,8 @@ double tangential_force(const Surface& surface, double h, double displacement) {
 }
 
 double stiffness(const Surface& surface, double h) {
-  return 2.0 * surface.modulus * surface.asperities *
-         std::sqrt(surface.asperity_radius * surface.height_deviation) / surface.compliance_ratio *
-         height_integral(HeightPower::one_half, h);
+  return 2.0 * surface.modulus * surface.asperities * std::sqrt(surface.asperity_radius * surface.height_deviation) /
+         surface.compliance_ratio * height_integral(HeightPower::one_half, h);
 }
 
 }  // namespace osculate::hisakado

@@ -154,8 +154,7 @@ Contact Oblique::at(double force) const {
 
 Oblique oblique(const Contact& initial, double coupling) {
   if (!(coupling >= 0.0) || !std::isfinite(coupling))
-    throw InputError("mindlin::oblique", "coupling mu dF_n/dF_t = " + std::to_string(coupling),
-                     "a finite value >= 0");
+    throw InputError("mindlin::oblique", "coupling mu dF_n/dF_t = " + std::to_string(coupling), "a finite value >= 0");
   return {.initial = initial, .coupling = coupling};
 }
 
@@ -189,8 +188,7 @@ double oblique_unloading_displacement(const Oblique& oblique, double force, doub
   if (now < -top * (1.0 - theta) / (1.0 + theta))
     return -scale(oblique.initial) * two_thirds(normal) * (1.0 - two_thirds(1.0 + now / normal));
   const double stuck = 1.0 - 0.5 * (top - now - theta * (top + now));
-  return scale(oblique.initial) *
-         (2.0 * two_thirds(stuck) - two_thirds(1.0 + theta * top - top) - two_thirds(normal));
+  return scale(oblique.initial) * (2.0 * two_thirds(stuck) - two_thirds(1.0 + theta * top - top) - two_thirds(normal));
 }
 
 double oblique_reloading_displacement(const Oblique& oblique, double force, double peak) {

@@ -63,16 +63,14 @@ TEST_CASE("Errata (79),(81): the rough tangential force is the sum of the asperi
             const double w = sigma * s * s;
             if (w == 0.0) return 0.0;
             const double a = hisakado::asperity_contact_radius(rough, w);
-            const auto asperity =
-                osculate::mindlin::contact(hisakado::asperity_compliance(rough, w), rough.friction,
-                                           4.0 / 3.0 * rough.modulus * a * w);
+            const auto asperity = osculate::mindlin::contact(hisakado::asperity_compliance(rough, w), rough.friction,
+                                                             4.0 / 3.0 * rough.modulus * a * w);
             return osculate::mindlin::force(asperity, displacement) * density(h + s * s) * 2.0 * s;
           },
           0.0, std::sqrt(9.0 - h), 1e-11);
       CHECK(hisakado::tangential_force(rough, h, displacement) ==
             Approx(rough.asperities * touching_sum).epsilon(1e-9));
-      CHECK(hisakado::tangential_force(rough, h, -displacement) ==
-            -hisakado::tangential_force(rough, h, displacement));
+      CHECK(hisakado::tangential_force(rough, h, -displacement) == -hisakado::tangential_force(rough, h, displacement));
     }
 }
 

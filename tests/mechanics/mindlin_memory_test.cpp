@@ -41,7 +41,8 @@ mindlin::Contact contact_at(double overlap) {
   return mindlin::contact(kappa / (1.5 * k * std::sqrt(overlap)), friction, normal_force(overlap));
 }
 
-/// Forces of the general law against those of a closed form δ(F_t): the law is driven by the closed form's displacement.
+/// Forces of the general law against those of a closed form δ(F_t): the law is driven by the closed form's
+/// displacement.
 constexpr double special_paths = 1e-8;
 constexpr int steps = 200;
 
@@ -112,9 +113,11 @@ TEST_CASE("The energy lost in cycles of the general law is that of the closed fo
       last_force = law.force(), last_place = displacement;
     };
     follow(peak, mindlin::oblique_displacement(slanted, peak));
-    for (int i = n; i >= -n; --i) follow(peak * i / n, mindlin::oblique_unloading_displacement(slanted, peak * i / n, peak));
+    for (int i = n; i >= -n; --i)
+      follow(peak * i / n, mindlin::oblique_unloading_displacement(slanted, peak * i / n, peak));
     lost = 0.0;
-    for (int i = -n; i <= n; ++i) follow(peak * i / n, mindlin::oblique_reloading_displacement(slanted, peak * i / n, peak));
+    for (int i = -n; i <= n; ++i)
+      follow(peak * i / n, mindlin::oblique_reloading_displacement(slanted, peak * i / n, peak));
     const double up = lost;
     lost = 0.0;
     // The second unloading has no closed form of its own above: the law itself walks it, between the same ends.
@@ -145,7 +148,8 @@ TEST_CASE("Normal unloading under a held tangential displacement slides from the
   // Jäger: F_t = μ[F_n(δ) − F_n(δ − u/(κμ))], here with the smaller δ once the slip has passed the old front.
   const double less = 0.6 * depth;
   law.go(less, moved);
-  CHECK(law.force() == Approx(friction * (normal_force(less) - normal_force(less - moved / (kappa * friction)))).epsilon(1e-13));
+  CHECK(law.force() ==
+        Approx(friction * (normal_force(less) - normal_force(less - moved / (kappa * friction)))).epsilon(1e-13));
   law.go(0.0, moved);
   CHECK(law.force() == 0.0);
   law.go(depth, moved);
@@ -292,8 +296,7 @@ TEST_CASE("The polyline stands for many springs: two-component paths agree with 
       worst = std::fmax(worst, std::hypot(force.x - sum.x, force.y - sum.y) / (friction * std::pow(overlap, 1.5)));
     }
     INFO("loading " << loading << ", worst " << worst);
-    WARN(worst);
-    CHECK(worst < 0.02);  // eight points for a curve
+    CHECK(worst < 0.02);  // eight points for a curve: 0.9 % of μF_n
   }
 }
 

@@ -29,8 +29,8 @@ ContactEllipse ellipse_of(double e2) {
           .ratio_limited = false};
 }
 
-/// Displacement of the half-space's surface inside the ellipse (uniform) under q = (1 − x²/a² − y²/b²)^{−1/2} along x or y, by Cerruti's
-/// kernel in polar coordinates about the point: every chord integrates to π/√A.
+/// Displacement of the half-space's surface inside the ellipse (uniform) under q = (1 − x²/a² − y²/b²)^{−1/2} along x
+/// or y, by Cerruti's kernel in polar coordinates about the point: every chord integrates to π/√A.
 double punch_displacement(double a, double b, bool along_x, const ElasticMaterial& material) {
   const double nu = material.poissons_ratio;
   const auto chord = [&](double phi) {
@@ -212,9 +212,9 @@ TEST_CASE("Erratum (75): the oblique loop's energy is the integral with a changi
                       2.0 * std::pow(n, 2.0 / 3.0) - std::pow(1.0 + theta * x, 2.0 / 3.0));
     };
     if (theta * top + top > 1.0) continue;
-    const double area = quadrature(
-        [&](double f) { return unloading(f) - mindlin::oblique_reloading_displacement(slanted, f, peak); }, -peak,
-        peak);
+    const double area =
+        quadrature([&](double f) { return unloading(f) - mindlin::oblique_reloading_displacement(slanted, f, peak); },
+                   -peak, peak);
     CHECK(mindlin::oblique_cycle_energy(slanted, peak) == Approx(area).epsilon(1e-9));
   }
   CHECK(mindlin::oblique_cycle_energy(mindlin::oblique(held, 1.0), 0.5 * held.limit) == 0.0);

@@ -2,9 +2,9 @@
 // Elliptical Cattaneo–Mindlin–Deresiewicz along any path: the normal overlap and both components of the tangential
 // displacement change as they like, and the contact plane turns.
 //
-// The law. A Hertz contact is a nest of similar ellipses, one for each depth η in [0, δ] of the overlap. On one axis the
-// traction of every load history is a superposition of Hertz tractions of that nest (Jäger 1993, Ciavarella 1998), and
-// then the contact answers as if every depth were a spring of its own that slides when its deflection s(η) reaches
+// The law. A Hertz contact is a nest of similar ellipses, one for each depth η in [0, δ] of the overlap. On one axis
+// the traction of every load history is a superposition of Hertz tractions of that nest (Jäger 1993, Ciavarella 1998),
+// and then the contact answers as if every depth were a spring of its own that slides when its deflection s(η) reaches
 // μ(δ−η):                                                                          [Jaeger93; Ciavarella98; PH15]
 //   F_t = ∫ s(η) F''(η) dη,   |s(η)| ≤ μ(δ − η),   F(η) = F_n(η) the Hertz force;
 // deflections are displacements divided by the compliance ratio κ of their axis. The springs are kept as a polyline in
@@ -78,7 +78,7 @@ struct Step {
   double overlap;     ///< δ [m]
   Vec3 displacement;  ///< of body 2 against body 1 at the contact point since the last step [m]; its part along the
                       ///< normal is ignored. For a contact just made, since the surfaces met.
-  double spin;  ///< mean rotation of the two bodies about the normal since the last step [rad], see `spin_of`
+  double spin;        ///< mean rotation of the two bodies about the normal since the last step [rad], see `spin_of`
 };
 
 /// The contact's constants at this step.
