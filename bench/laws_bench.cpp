@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -19,6 +20,8 @@ namespace mindlin = osculate::mindlin;
 
 const osculate::ElasticMaterial glass{.youngs_modulus = 71e9, .poissons_ratio = 0.22};
 
+const mindlin::Pair pair_of_glass = mindlin::pair(glass, glass, 0.3, 1e-8);
+
 /// How the bodies move on each other, step after step.
 enum Path : int {
   oscillating,  ///< along one direction, to and fro, partial slip
@@ -29,47 +32,66 @@ enum Path : int {
 /// Contacts at different phases of a path of 64 steps; the memories wander on from call to call.
 struct Bed {
   static constexpr std::size_t length = 64;
-  std::vector<std::vector<mindlin::ContactInput>> step;
+  static constexpr std::size_t inputs = 14, outputs = 6;
+  using Columns = std::array<std::vector<double>, inputs>;
+  std::vector<Columns> step;
   std::vector<mindlin::Memory> memory;
-  std::vector<mindlin::ContactOutput> output;
+  std::array<std::vector<double>, outputs> output;
+  std::vector<mindlin::BatchStatus> status;
 
-  Bed(std::size_t size, Path path) : step(length), memory(size), output(size) {
+  void go(std::size_t k) {
+    const Columns& c = step[k];
+    mindlin::contacts(pair_of_glass,
+                      {.R_i = c[0],
+                       .R_j = c[1],
+                       .overlap = c[2],
+                       .overlap_rate = c[3],
+                       .normal = {c[4], c[5], c[6]},
+                       .major_axis = {c[7], c[8], c[9]},
+                       .displacement = {c[10], c[11], c[12]},
+                       .spin = c[13]},
+                      memory,
+                      {.force = {output[0], output[1], output[2]},
+                       .normal_force = output[3],
+                       .a_c = output[4],
+                       .axis_ratio = output[5],
+                       .status = status});
+  }
+
+  Bed(std::size_t size, Path path) : step(length), memory(size), status(size) {
+    for (auto& column : output) column.resize(size);
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     const double friction_length = 0.3 * 1e-6;
     for (std::size_t i = 0; i < size; ++i) {
-      mindlin::ContactInput input{};
-      input.R_j = 1e-3 * (0.1 + uniform(random));
-      input.R_i = input.R_j * std::pow(10.0, 2.0 * uniform(random));
-      input.normal = {0.0, 0.0, 1.0};
+      const double R_j = 1e-3 * (0.1 + uniform(random)), R_i = R_j * std::pow(10.0, 2.0 * uniform(random));
       const double turn = 6.3 * uniform(random), phase = 6.3 * uniform(random), way = 6.3 * uniform(random);
-      input.major_axis = {std::cos(turn), std::sin(turn), 0.0};
       const auto place = [&](double s) { return friction_length * std::sin(s + phase); };
       for (std::size_t k = 0; k < length; ++k) {
         const double s = 6.283185307179586 * static_cast<double>(k) / length, before = s - 6.283185307179586 / length;
-        input.overlap = 1e-6;
+        double overlap = 1e-6;
         double x = place(s) - place(before), y = 0.0;
         if (path == impact) {
-          input.overlap = 1e-6 * (0.02 + std::fabs(std::sin(0.5 * s + phase)));
+          overlap = 1e-6 * (0.02 + std::fabs(std::sin(0.5 * s + phase)));
           x = 0.01 * friction_length, y = 0.005 * friction_length * std::cos(s);
         } else if (path == wandering) {
-          input.overlap = 1e-6 * (0.9 + 0.2 * uniform(random));
+          overlap = 1e-6 * (0.9 + 0.2 * uniform(random));
           x = 0.2 * friction_length * (uniform(random) - 0.5), y = 0.2 * friction_length * (uniform(random) - 0.5);
         }
-        input.displacement = {x * std::cos(way) - y * std::sin(way), x * std::sin(way) + y * std::cos(way), 0.0};
-        step[k].push_back(input);
+        const std::array<double, inputs> row{R_i, R_j, overlap, 1e-3, 0.0, 0.0, 1.0, std::cos(turn), std::sin(turn), 0.0,
+                                             x * std::cos(way) - y * std::sin(way),
+                                             x * std::sin(way) + y * std::cos(way), 0.0, 1e-4};
+        for (std::size_t column = 0; column < inputs; ++column) step[k][column].push_back(row[column]);
       }
     }
   }
 };
 
-const mindlin::Pair pair_of_glass = mindlin::pair(glass, glass, 0.3, 1e-8);
-
 void mindlin_contacts(benchmark::State& state, Path path) {
   Bed bed(static_cast<std::size_t>(state.range(0)), path);
   std::size_t k = 0;
   for ([[maybe_unused]] auto _ : state) {
-    mindlin::contacts(pair_of_glass, bed.step[k], bed.memory, bed.output);
+    bed.go(k);
     k = (k + 1) % Bed::length;
     benchmark::ClobberMemory();
   }

@@ -1,7 +1,6 @@
 #include "osculate/mechanics/mindlin_contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -14,44 +13,138 @@
 #include <hwy/foreach_target.h>
 // The target list above comes first.
 #include "mechanics/hertz-inl.hpp"
-
-#ifndef OSCULATE_MECHANICS_MINDLIN_CONTACTS_CHUNK
-#define OSCULATE_MECHANICS_MINDLIN_CONTACTS_CHUNK
-namespace osculate::mindlin {
-
-/// A few contacts as columns: what the vector part and the memory part hand to each other.
-struct Chunk {
-  static constexpr std::size_t size = 64;
-  using Column = std::array<double, size>;
-  Column R_i, R_j, overlap;
-  Column coefficient, stiffness, a_c, axis_ratio, major, minor;
-};
-
-}  // namespace osculate::mindlin
-#endif
+#include "mechanics/mindlin_memory-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-void mindlin_normal(mindlin::Chunk& chunk, std::size_t used, double modulus, double coupling) {
-  const Batch one(1.0), c(coupling);
-  for (std::size_t start = 0; start < used; start += lanes<Batch>()) {
-    const std::size_t count = std::min(lanes<Batch>(), used - start);
-    const Batch R_j = load<Batch>(&chunk.R_j[start], count);
-    const Batch R_i = limited(load<Batch>(&chunk.R_i[start], count), R_j);
-    const Batch overlap = load<Batch>(&chunk.overlap[start], count);
-    const auto ellipse = ellipse_of(R_i, R_j);
-    const auto state = hertz_state(ellipse, Batch(modulus), overlap);
+/// A number of each of consecutive memories, `first` apart from the start of the first of them.
+class Strided {
+ public:
+  HWY_INLINE Strided(mindlin::Memory* memory, std::size_t count) : memory_(memory), count_(count) {
+    const IntTag integers;
+    // Lanes past the last contact repeat it.
+    index_ = hn::Mul(hn::Min(hn::Iota(integers, 0), hn::Set(integers, static_cast<std::int64_t>(count) - 1)),
+                     hn::Set(integers, static_cast<std::int64_t>(sizeof(mindlin::Memory) / sizeof(double))));
+  }
+  HWY_INLINE Batch load(const double& first) const { return Batch(hn::GatherIndex(Tag(), &first, index_)); }
+  HWY_INLINE void store(Batch value, double& first, Mask which) const {
+    HWY_ALIGN double lanes_of[lanes<Batch>()];
+    hn::Store(value.v, Tag(), lanes_of);
+    const std::uint64_t chosen = bits(which);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (chosen >> i & 1) *(&first + i * (sizeof(mindlin::Memory) / sizeof(double))) = lanes_of[i];
+  }
+
+ private:
+  mindlin::Memory* memory_;
+  std::size_t count_;
+  hn::Vec<IntTag> index_;
+};
+
+HWY_INLINE V3<Batch> load(const mindlin::Vectors<const double>& from, std::size_t start, std::size_t count) {
+  return {load<Batch>(&from.x[start], count), load<Batch>(&from.y[start], count), load<Batch>(&from.z[start], count)};
+}
+HWY_INLINE void store(const V3<Batch>& value, const mindlin::Vectors<double>& to, std::size_t start,
+                      std::size_t count) {
+  store(value.x, &to.x[start], count);
+  store(value.y, &to.y[start], count);
+  store(value.z, &to.z[start], count);
+}
+
+void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& input, mindlin::Memory* memories,
+                      const mindlin::BatchOutput& output) {
+  using mindlin::BatchStatus;
+  const auto code = [](BatchStatus status) HWY_ATTR { return Batch(static_cast<double>(status)); };
+  const Batch zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
+  const std::size_t size = input.R_i.size();
+  for (std::size_t start = 0; start < size; start += lanes<Batch>()) {
+    const std::size_t count = std::min(lanes<Batch>(), size - start);
+    const Batch R_i = load<Batch>(&input.R_i[start], count), R_j = load<Batch>(&input.R_j[start], count);
+    const Batch depth = load<Batch>(&input.overlap[start], count);
+    const Batch rate = load<Batch>(&input.overlap_rate[start], count), spin = load<Batch>(&input.spin[start], count);
+    const V3<Batch> normal = load(input.normal, start, count), major = load(input.major_axis, start, count);
+    const V3<Batch> moved = load(input.displacement, start, count);
+    const Batch all = abs(depth) + abs(rate) + abs(spin) + abs(normal.x) + abs(normal.y) + abs(normal.z) +
+                      abs(major.x) + abs(major.y) + abs(major.z) + abs(moved.x) + abs(moved.y) + abs(moved.z);
+    const Mask good = (R_j > zero) & (R_j < infinity) & (R_i >= R_j) & (all < infinity);
+    const Mask pressed = good & (depth > zero);
+
+    const Batch minor_radius = select(good, R_j, one), major_radius = select(good, limited(R_i, R_j), one);
+    const Batch overlap = select(pressed, depth, minor_radius);  // any, where nothing comes of it
+    const auto ellipse = ellipse_of(major_radius, minor_radius);
+    const auto state = hertz_state(ellipse, Batch(pair.modulus), overlap);
     // D/K from the ellipse's own equation R_j/R_i = m1 D/B with K = B + D.
-    const Batch ratio = R_j / R_i, m1 = ellipse.axis_ratio * ellipse.axis_ratio;
-    const Batch share = ratio / (ratio + m1);
-    store(Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap), &chunk.coefficient[start], count);
-    store(state.stiffness, &chunk.stiffness[start], count);
-    store(state.a_c, &chunk.a_c[start], count);
-    store(ellipse.axis_ratio, &chunk.axis_ratio[start], count);
-    store(one + c * share, &chunk.major[start], count);
-    store(one + c * (one - share), &chunk.minor[start], count);
+    const Batch ratio = minor_radius / major_radius;
+    const Batch share = ratio / fma(ellipse.axis_ratio, ellipse.axis_ratio, ratio);
+    const Batch kappa_major = fma(Batch(pair.coupling), share, one);
+    const Batch kappa_minor = fma(Batch(pair.coupling), one - share, one);
+
+    mindlin::Memory* memory = memories + start;
+    const Strided strided(memory, count);
+    SpringsOf<Batch> line;
+    line.most = 1;
+    HWY_ALIGN double counts[lanes<Batch>()];
+    for (std::size_t i = 0; i < lanes<Batch>(); ++i) {
+      const auto points = memory[std::min(i, count - 1)].springs.count;
+      counts[i] = static_cast<double>(points);
+      line.most = std::max(line.most, static_cast<int>(points));
+    }
+    line.count = load<Batch>(counts, lanes<Batch>());
+    line.overlap = strided.load(memory->springs.overlap);
+    for (int i = 0; i < line.most; ++i) {
+      const mindlin::Layer& layer = memory->springs.at[static_cast<std::size_t>(i)];
+      const Mask used = Batch(static_cast<double>(i)) < line.count;
+      line.at[i] = select(used, LayerOf<Batch>{strided.load(layer.depth), strided.load(layer.x), strided.load(layer.y)},
+                          line.rim());
+    }
+    const V3<Batch> old_normal{strided.load(memory->normal[0]), strided.load(memory->normal[1]),
+                               strided.load(memory->normal[2])};
+    const V3<Batch> old_axis{strided.load(memory->axis[0]), strided.load(memory->axis[1]),
+                             strided.load(memory->axis[2])};
+
+    const V3<Batch> minor = cross(normal, major);
+    Batch sin_spin = zero, cos_spin = one;
+    if (any(!(spin == zero))) sin_spin = sin(spin), cos_spin = cos(spin);
+    carry(line, old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
+    advance(line, overlap, {dot(moved, major) / kappa_major, dot(moved, minor) / kappa_minor}, Batch(pair.friction));
+    const PlanarOf<Batch> sheared = traction(line);
+
+    const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
+    const Batch normal_force = max(state.force + Batch(pair.damping_time) * state.stiffness * rate, zero);
+    const V3<Batch> force = (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
+    const V3<Batch> none{zero, zero, zero};
+    store(select(pressed, force, none), output.force, start, count);
+    store(select(pressed, normal_force, zero), &output.normal_force[start], count);
+    store(select(pressed, state.a_c, zero), &output.a_c[start], count);
+    store(select(good, ellipse.axis_ratio, zero), &output.axis_ratio[start], count);
+
+    for (int i = 0; i < line.most; ++i) {
+      const Mask used = pressed & (Batch(static_cast<double>(i)) < line.count);
+      mindlin::Layer& layer = memory->springs.at[static_cast<std::size_t>(i)];
+      strided.store(line.at[i].depth, layer.depth, used);
+      strided.store(line.at[i].x, layer.x, used);
+      strided.store(line.at[i].y, layer.y, used);
+    }
+    strided.store(line.overlap, memory->springs.overlap, pressed);
+    strided.store(normal.x, memory->normal[0], pressed);
+    strided.store(normal.y, memory->normal[1], pressed);
+    strided.store(normal.z, memory->normal[2], pressed);
+    strided.store(major.x, memory->axis[0], pressed);
+    strided.store(major.y, memory->axis[1], pressed);
+    strided.store(major.z, memory->axis[2], pressed);
+    store(line.count, counts, lanes<Batch>());
+    const std::uint64_t in_contact = bits(pressed), sound = bits(good);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (in_contact >> i & 1)
+        memory[i].springs.count = static_cast<std::int64_t>(counts[i]);
+      else if (sound >> i & 1)
+        memory[i] = mindlin::Memory{};
+      output.status[start + i] = in_contact >> i & 1 ? BatchStatus::pressed
+                                 : sound >> i & 1    ? BatchStatus::open
+                                                     : BatchStatus::bad_input;
+    }
   }
 }
 
@@ -61,25 +154,9 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace osculate {
-HWY_EXPORT(mindlin_normal);
+HWY_EXPORT(mindlin_contacts);
 
 namespace mindlin {
-namespace {
-
-bool is_good(const ContactInput& in) {
-  double sum = in.R_j + in.overlap + in.overlap_rate + in.spin;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    sum += in.normal[k] + in.major_axis[k] + in.displacement[k];
-  }
-  return std::isfinite(sum) && in.R_j > 0.0 && in.R_i >= in.R_j;
-}
-
-Vec3 vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-}  // namespace
 
 Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, double friction, double damping_time) {
   const auto require = [](const char* name, double value) {
@@ -94,57 +171,18 @@ Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, 
           .damping_time = damping_time};
 }
 
-void contacts(const Pair& pair, std::span<const ContactInput> input, std::span<Memory> memory,
-              std::span<ContactOutput> output) {
-  if (memory.size() != input.size() || output.size() != input.size())
-    throw InputError("mindlin::contacts",
-                     std::to_string(memory.size()) + " memories and " + std::to_string(output.size()) + " outputs",
-                     std::to_string(input.size()) + " of each, as many as contacts");
-  Chunk chunk;
-  std::array<std::size_t, Chunk::size> index{};
-  for (std::size_t start = 0; start < input.size(); start += Chunk::size) {
-    const std::size_t stop = std::min(start + Chunk::size, input.size());
-    std::size_t used = 0;
-    for (std::size_t i = start; i < stop; ++i) {
-      const ContactInput& in = input[i];
-      const bool good = is_good(in);
-      if (good && in.overlap > 0.0) {
-        index[used] = i;
-        chunk.R_i[used] = in.R_i, chunk.R_j[used] = in.R_j, chunk.overlap[used] = in.overlap;
-        ++used;
-        continue;
-      }
-      output[i] = {.force = {0.0, 0.0, 0.0},
-                   .normal_force = 0.0,
-                   .a_c = 0.0,
-                   .axis_ratio = 0.0,
-                   .status = good ? BatchStatus::open : BatchStatus::bad_input};
-      if (good) memory[i] = Memory{};
-    }
-    if (used == 0) continue;
-    HWY_DYNAMIC_DISPATCH(mindlin_normal)(chunk, used, pair.modulus, pair.coupling);
-    for (std::size_t j = 0; j < used; ++j) {
-      const ContactInput& in = input[index[j]];
-      const Vec3 normal = vector(in.normal);
-      const Law law{.coefficient = chunk.coefficient[j],
-                    .compliance_ratio = {.major = chunk.major[j], .minor = chunk.minor[j]},
-                    .friction = pair.friction};
-      const Vec3 tangential = advance(memory[index[j]], law,
-                                      {.normal = normal,
-                                       .major_axis = vector(in.major_axis),
-                                       .overlap = in.overlap,
-                                       .displacement = vector(in.displacement),
-                                       .spin = in.spin});
-      const double elastic = 2.0 / 3.0 * chunk.stiffness[j] * in.overlap;
-      const double total = std::fmax(elastic + pair.damping_time * chunk.stiffness[j] * in.overlap_rate, 0.0);
-      const Vec3 force = tangential - total * normal;
-      output[index[j]] = {.force = {force.x(), force.y(), force.z()},
-                          .normal_force = total,
-                          .a_c = chunk.a_c[j],
-                          .axis_ratio = chunk.axis_ratio[j],
-                          .status = BatchStatus::pressed};
-    }
-  }
+void contacts(const Pair& pair, const BatchInput& input, std::span<Memory> memory, const BatchOutput& output) {
+  const std::size_t size = input.R_i.size();
+  for (const std::size_t other :
+       {input.R_j.size(), input.overlap.size(), input.overlap_rate.size(), input.normal.x.size(), input.normal.y.size(),
+        input.normal.z.size(), input.major_axis.x.size(), input.major_axis.y.size(), input.major_axis.z.size(),
+        input.displacement.x.size(), input.displacement.y.size(), input.displacement.z.size(), input.spin.size(),
+        memory.size(), output.force.x.size(), output.force.y.size(), output.force.z.size(), output.normal_force.size(),
+        output.a_c.size(), output.axis_ratio.size(), output.status.size()})
+    if (other != size)
+      throw InputError("mindlin::contacts", "a column of " + std::to_string(other) + " values",
+                       std::to_string(size) + " as in R_i");
+  HWY_DYNAMIC_DISPATCH(mindlin_contacts)(pair, input, memory.data(), output);
 }
 
 }  // namespace mindlin

@@ -248,17 +248,18 @@ TEST_CASE("A path mirrored or turned in the plane of a circular contact mirrors 
   std::mt19937_64 random(3);
   const double c = std::cos(1.1), s = std::sin(1.1);
   mindlin::Springs one, other;
-  double overlap = depth;
+  double overlap = depth, worst = 0.0;
   for (int i = 0; i < 300; ++i) {
     overlap *= 1.0 + 0.1 * random_sign(random);
     const Planar shift{0.3 * friction * depth * random_sign(random), 0.3 * friction * depth * random_sign(random)};
     mindlin::advance(one, overlap, shift, friction);
     mindlin::advance(other, overlap, {c * shift.x + s * shift.y, s * shift.x - c * shift.y}, friction);
     const Planar a = mindlin::traction(one), b = mindlin::traction(other);
-    // Which point is forgotten depends on the frame: a bounded memory's own error.
-    REQUIRE(b.x == Approx(c * a.x + s * a.y).margin(2e-2 * friction * std::pow(overlap, 1.5)));
-    REQUIRE(b.y == Approx(s * a.x - c * a.y).margin(2e-2 * friction * std::pow(overlap, 1.5)));
+    worst = std::fmax(worst, std::hypot(b.x - c * a.x - s * a.y, b.y - s * a.x + c * a.y) /
+                                 (friction * std::pow(overlap, 1.5)));
   }
+  // Which point is forgotten depends on the axes: a bounded memory's own error.
+  CHECK(worst < 0.05);
 }
 
 TEST_CASE("The polyline stands for many springs: two-component paths agree with thousands of them") {

@@ -21,16 +21,23 @@ struct Pair {
 /// Throws InputError unless μ ≥ 0 and A ≥ 0 and the materials are valid.
 Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, double friction, double damping_time);
 
-/// One contact of a batch; what it does not say is said in `Step`.
-struct ContactInput {
-  double R_i;  ///< radii of relative curvature, R_i ≥ R_j > 0 [m]; R_i = ∞ is a line contact
-  double R_j;
-  double overlap;                     ///< δ [m]; ≤ 0 is open
-  double overlap_rate;                ///< dδ/dt [m/s], positive on approach
-  std::array<double, 3> normal;       ///< unit, from body 1 to body 2, world
-  std::array<double, 3> major_axis;   ///< unit tangent along a_c, world
-  std::array<double, 3> displacement;  ///< of body 2 against body 1 since the last step [m]
-  double spin;                        ///< see `Step` [rad]
+/// A vector of every contact, component by component.
+template <class Real>
+struct Vectors {
+  std::span<Real> x, y, z;
+};
+
+/// Many contacts of one pair of materials, structure of arrays; all spans of one length. What this does not say is said
+/// in `Step`.
+struct BatchInput {
+  std::span<const double> R_i;  ///< radii of relative curvature, R_i ≥ R_j > 0 [m]; R_i = ∞ is a line contact
+  std::span<const double> R_j;
+  std::span<const double> overlap;       ///< δ [m]; ≤ 0 is open
+  std::span<const double> overlap_rate;  ///< dδ/dt [m/s], positive on approach
+  Vectors<const double> normal;          ///< unit, from body 1 to body 2, world
+  Vectors<const double> major_axis;      ///< unit tangent along a_c, world
+  Vectors<const double> displacement;    ///< of body 2 against body 1 since the last step [m]
+  std::span<const double> spin;          ///< [rad]
 };
 
 enum class BatchStatus : std::uint8_t {
@@ -39,18 +46,17 @@ enum class BatchStatus : std::uint8_t {
   bad_input,  ///< a number was NaN, infinite or of the wrong sign: no force, the memory as it was
 };
 
-struct ContactOutput {
-  std::array<double, 3> force;  ///< on body 1: −F_n n + F_t [N], world; body 2 feels the opposite
-  double normal_force;          ///< elastic and viscous, never below 0 [N]
-  double a_c;                   ///< [m]
-  double axis_ratio;            ///< b_c/a_c
-  BatchStatus status;
+struct BatchOutput {
+  Vectors<double> force;           ///< on body 1: −F_n n + F_t [N], world; body 2 feels the opposite
+  std::span<double> normal_force;  ///< elastic and viscous, never below 0 [N]
+  std::span<double> a_c;           ///< [m]
+  std::span<double> axis_ratio;    ///< b_c/a_c; of the ellipse that the curvatures make when open
+  std::span<BatchStatus> status;
 };
 
-/// All contacts of one pair of materials. Friction is limited by the elastic part of the normal force, which is the one
-/// that the memory knows. A contact's answer does not depend on its neighbours. Throws InputError only when the spans'
-/// lengths differ.
-void contacts(const Pair& pair, std::span<const ContactInput> input, std::span<Memory> memory,
-              std::span<ContactOutput> output);
+/// One step of all contacts. Friction is limited by the elastic part of the normal force, which is the one that the
+/// memory knows. A contact's answer does not depend on its neighbours. Throws InputError only when the spans' lengths
+/// differ.
+void contacts(const Pair& pair, const BatchInput& input, std::span<Memory> memory, const BatchOutput& output);
 
 }  // namespace osculate::mindlin

@@ -37,11 +37,11 @@ inline constexpr int layers = 8;
 /// One point of the polyline: the spring deflection s at a depth.
 struct Layer {
   double depth;  ///< η ≥ 0 [m]
-  double x;      ///< s/κ [m], in the plane's frame
-  double y;
+  double x;      ///< s along the major axis [m]
+  double y;      ///< s along the minor axis [m]
 };
 
-/// The springs of one contact, in a frame that the caller lets turn with the contact plane. Trivially copyable; a
+/// The springs of one contact, in the axes of its ellipse. Trivially copyable; a
 /// zero-initialised one is a contact that has not been made. Between the points, and from the last point to
 /// s = 0 at η = overlap, s is linear.
 struct Springs {
@@ -68,13 +68,13 @@ double stored_energy(const Springs& springs, double coefficient, const Axes& com
 struct Memory {
   Springs springs;
   std::array<double, 3> normal{};  ///< unit normal at the last step, from body 1 to body 2, world
-  std::array<double, 3> axis{};    ///< unit tangent: the springs' x direction, world
+  std::array<double, 3> axis{};    ///< unit tangent: the springs' major axis at the last step, world
 };
 
 /// Where the contact is now, and how it moved since the last step.
 struct Step {
   Vec3 normal;        ///< unit, from body 1 to body 2, world
-  Vec3 major_axis;    ///< unit tangent along a_c, world (sign free)
+  Vec3 major_axis;    ///< unit tangent along a_c, orthogonal to the normal, world (sign free)
   double overlap;     ///< δ [m]
   Vec3 displacement;  ///< of body 2 against body 1 at the contact point since the last step [m]; its part along the
                       ///< normal is ignored. For a contact just made, since the surfaces met.
