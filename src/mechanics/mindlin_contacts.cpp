@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "osculate/core/error.hpp"
 
@@ -19,30 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// A number of each of consecutive memories, `first` apart from the start of the first of them.
-class Strided {
- public:
-  HWY_INLINE Strided(mindlin::Memory* memory, std::size_t count) : memory_(memory), count_(count) {
-    const IntTag integers;
-    // Lanes past the last contact repeat it.
-    index_ = hn::Mul(hn::Min(hn::Iota(integers, 0), hn::Set(integers, static_cast<std::int64_t>(count) - 1)),
-                     hn::Set(integers, static_cast<std::int64_t>(sizeof(mindlin::Memory) / sizeof(double))));
-  }
-  HWY_INLINE Batch load(const double& first) const { return Batch(hn::GatherIndex(Tag(), &first, index_)); }
-  HWY_INLINE void store(Batch value, double& first, Mask which) const {
-    HWY_ALIGN double lanes_of[lanes<Batch>()];
-    hn::Store(value.v, Tag(), lanes_of);
-    const std::uint64_t chosen = bits(which);
-    for (std::size_t i = 0; i < count_; ++i)
-      if (chosen >> i & 1) *(&first + i * (sizeof(mindlin::Memory) / sizeof(double))) = lanes_of[i];
-  }
-
- private:
-  mindlin::Memory* memory_;
-  std::size_t count_;
-  hn::Vec<IntTag> index_;
-};
-
 HWY_INLINE V3<Batch> load(const mindlin::Vectors<const double>& from, std::size_t start, std::size_t count) {
   return {load<Batch>(&from.x[start], count), load<Batch>(&from.y[start], count), load<Batch>(&from.z[start], count)};
 }
@@ -53,10 +30,9 @@ HWY_INLINE void store(const V3<Batch>& value, const mindlin::Vectors<double>& to
   store(value.z, &to.z[start], count);
 }
 
-void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& input, mindlin::Memory* memories,
+void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& input, mindlin::MemoryBlock* memory,
                       const mindlin::BatchOutput& output) {
   using mindlin::BatchStatus;
-  const auto code = [](BatchStatus status) HWY_ATTR { return Batch(static_cast<double>(status)); };
   const Batch zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
   const std::size_t size = input.R_i.size();
   for (std::size_t start = 0; start < size; start += lanes<Batch>()) {
@@ -81,28 +57,22 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     const Batch kappa_major = fma(Batch(pair.coupling), share, one);
     const Batch kappa_minor = fma(Batch(pair.coupling), one - share, one);
 
-    mindlin::Memory* memory = memories + start;
-    const Strided strided(memory, count);
+    mindlin::MemoryBlock& block = memory[start / mindlin::MemoryBlock::width];
+    const std::size_t lane = start % mindlin::MemoryBlock::width;
+    const auto remembered = [&](const mindlin::MemoryBlock::Lanes& from)
+                                HWY_ATTR { return load<Batch>(&from[lane], lanes<Batch>()); };
     SpringsOf<Batch> line;
-    line.most = 1;
-    HWY_ALIGN double counts[lanes<Batch>()];
-    for (std::size_t i = 0; i < lanes<Batch>(); ++i) {
-      const auto points = memory[std::min(i, count - 1)].springs.count;
-      counts[i] = static_cast<double>(points);
-      line.most = std::max(line.most, static_cast<int>(points));
-    }
-    line.count = load<Batch>(counts, lanes<Batch>());
-    line.overlap = strided.load(memory->springs.overlap);
+    line.count = remembered(block.count);
+    line.rim_root = sqrt(remembered(block.overlap));
+    line.most = std::max(largest(line.count), 1);
     for (int i = 0; i < line.most; ++i) {
-      const mindlin::Layer& layer = memory->springs.at[static_cast<std::size_t>(i)];
-      const Mask used = Batch(static_cast<double>(i)) < line.count;
-      line.at[i] = select(used, LayerOf<Batch>{strided.load(layer.depth), strided.load(layer.x), strided.load(layer.y)},
-                          line.rim());
+      const auto k = static_cast<std::size_t>(i);
+      line.at[i] =
+          select(Batch(static_cast<double>(i)) < line.count,
+                 LayerOf<Batch>{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])}, line.rim());
     }
-    const V3<Batch> old_normal{strided.load(memory->normal[0]), strided.load(memory->normal[1]),
-                               strided.load(memory->normal[2])};
-    const V3<Batch> old_axis{strided.load(memory->axis[0]), strided.load(memory->axis[1]),
-                             strided.load(memory->axis[2])};
+    const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
+    const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
 
     const V3<Batch> minor = cross(normal, major);
     Batch sin_spin = zero, cos_spin = one;
@@ -113,38 +83,34 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
 
     const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
     const Batch normal_force = max(state.force + Batch(pair.damping_time) * state.stiffness * rate, zero);
-    const V3<Batch> force = (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
+    const V3<Batch> force =
+        (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
     const V3<Batch> none{zero, zero, zero};
     store(select(pressed, force, none), output.force, start, count);
     store(select(pressed, normal_force, zero), &output.normal_force[start], count);
     store(select(pressed, state.a_c, zero), &output.a_c[start], count);
     store(select(good, ellipse.axis_ratio, zero), &output.axis_ratio[start], count);
 
+    // Bad numbers leave the memory as it was, an open contact none.
+    const auto remember = [&](Batch value, mindlin::MemoryBlock::Lanes& to) HWY_ATTR {
+      const Batch now = select(pressed, value, select(good, zero, remembered(to)));
+      store(now, &to[lane], lanes<Batch>());
+    };
     for (int i = 0; i < line.most; ++i) {
-      const Mask used = pressed & (Batch(static_cast<double>(i)) < line.count);
-      mindlin::Layer& layer = memory->springs.at[static_cast<std::size_t>(i)];
-      strided.store(line.at[i].depth, layer.depth, used);
-      strided.store(line.at[i].x, layer.x, used);
-      strided.store(line.at[i].y, layer.y, used);
+      const auto k = static_cast<std::size_t>(i);
+      remember(line.at[i].root, block.root[k]);
+      remember(line.at[i].x, block.x[k]);
+      remember(line.at[i].y, block.y[k]);
     }
-    strided.store(line.overlap, memory->springs.overlap, pressed);
-    strided.store(normal.x, memory->normal[0], pressed);
-    strided.store(normal.y, memory->normal[1], pressed);
-    strided.store(normal.z, memory->normal[2], pressed);
-    strided.store(major.x, memory->axis[0], pressed);
-    strided.store(major.y, memory->axis[1], pressed);
-    strided.store(major.z, memory->axis[2], pressed);
-    store(line.count, counts, lanes<Batch>());
+    remember(line.count, block.count);
+    remember(overlap, block.overlap);
+    remember(normal.x, block.normal[0]), remember(normal.y, block.normal[1]), remember(normal.z, block.normal[2]);
+    remember(major.x, block.axis[0]), remember(major.y, block.axis[1]), remember(major.z, block.axis[2]);
     const std::uint64_t in_contact = bits(pressed), sound = bits(good);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (in_contact >> i & 1)
-        memory[i].springs.count = static_cast<std::int64_t>(counts[i]);
-      else if (sound >> i & 1)
-        memory[i] = mindlin::Memory{};
-      output.status[start + i] = in_contact >> i & 1 ? BatchStatus::pressed
-                                 : sound >> i & 1    ? BatchStatus::open
-                                                     : BatchStatus::bad_input;
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      output.status[start + i] = (in_contact >> i & 1) != 0 ? BatchStatus::pressed
+                                 : (sound >> i & 1) != 0    ? BatchStatus::open
+                                                            : BatchStatus::bad_input;
   }
 }
 
@@ -157,6 +123,28 @@ namespace osculate {
 HWY_EXPORT(mindlin_contacts);
 
 namespace mindlin {
+
+static_assert(std::is_trivially_copyable_v<MemoryBlock>);
+
+Memory MemoryBlock::get(std::size_t lane) const {
+  Memory memory;
+  memory.springs.overlap = overlap[lane];
+  memory.springs.count = static_cast<std::int64_t>(count[lane]);
+  for (std::size_t i = 0; i < 3; ++i) memory.normal[i] = normal[i][lane], memory.axis[i] = axis[i][lane];
+  for (std::size_t i = 0; i < layers; ++i)
+    memory.springs.at[i] = {root[i][lane] * root[i][lane], x[i][lane], y[i][lane]};
+  return memory;
+}
+
+void MemoryBlock::set(std::size_t lane, const Memory& memory) {
+  overlap[lane] = memory.springs.overlap;
+  count[lane] = static_cast<double>(memory.springs.count);
+  for (std::size_t i = 0; i < 3; ++i) normal[i][lane] = memory.normal[i], axis[i][lane] = memory.axis[i];
+  for (std::size_t i = 0; i < layers; ++i) {
+    const Layer& layer = memory.springs.at[i];
+    root[i][lane] = std::sqrt(layer.depth), x[i][lane] = layer.x, y[i][lane] = layer.y;
+  }
+}
 
 Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, double friction, double damping_time) {
   const auto require = [](const char* name, double value) {
@@ -171,17 +159,34 @@ Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, 
           .damping_time = damping_time};
 }
 
-void contacts(const Pair& pair, const BatchInput& input, std::span<Memory> memory, const BatchOutput& output) {
+void contacts(const Pair& pair, const BatchInput& input, std::span<MemoryBlock> memory, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other :
-       {input.R_j.size(), input.overlap.size(), input.overlap_rate.size(), input.normal.x.size(), input.normal.y.size(),
-        input.normal.z.size(), input.major_axis.x.size(), input.major_axis.y.size(), input.major_axis.z.size(),
-        input.displacement.x.size(), input.displacement.y.size(), input.displacement.z.size(), input.spin.size(),
-        memory.size(), output.force.x.size(), output.force.y.size(), output.force.z.size(), output.normal_force.size(),
-        output.a_c.size(), output.axis_ratio.size(), output.status.size()})
+  for (const std::size_t other : {input.R_j.size(),
+                                  input.overlap.size(),
+                                  input.overlap_rate.size(),
+                                  input.normal.x.size(),
+                                  input.normal.y.size(),
+                                  input.normal.z.size(),
+                                  input.major_axis.x.size(),
+                                  input.major_axis.y.size(),
+                                  input.major_axis.z.size(),
+                                  input.displacement.x.size(),
+                                  input.displacement.y.size(),
+                                  input.displacement.z.size(),
+                                  input.spin.size(),
+                                  output.force.x.size(),
+                                  output.force.y.size(),
+                                  output.force.z.size(),
+                                  output.normal_force.size(),
+                                  output.a_c.size(),
+                                  output.axis_ratio.size(),
+                                  output.status.size()})
     if (other != size)
       throw InputError("mindlin::contacts", "a column of " + std::to_string(other) + " values",
                        std::to_string(size) + " as in R_i");
+  const std::size_t blocks = (size + MemoryBlock::width - 1) / MemoryBlock::width;
+  if (memory.size() != blocks)
+    throw InputError("mindlin::contacts", std::to_string(memory.size()) + " blocks of memory", std::to_string(blocks));
   HWY_DYNAMIC_DISPATCH(mindlin_contacts)(pair, input, memory.data(), output);
 }
 

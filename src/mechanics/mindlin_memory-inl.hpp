@@ -21,50 +21,55 @@ inline constexpr double straight = 1e-14;
 /// Points nearer than this share of the overlap are one.
 inline constexpr double nearest = 1e-15;
 
+/// A spring by the root of its depth, which is what forces and energies are integrals over.
 template <class Real>
 struct LayerOf {
-  Real depth, x, y;
+  Real root, x, y;
+
+  HWY_INLINE Real depth() const { return root * root; }
 };
 template <class Real>
 HWY_INLINE LayerOf<Real> select(MaskType<Real> condition, const LayerOf<Real>& yes, const LayerOf<Real>& no) {
-  return {select(condition, yes.depth, no.depth), select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
+  return {select(condition, yes.root, no.root), select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
 }
+/// The point of the line between two at a share of its depth.
 template <class Real>
 HWY_INLINE LayerOf<Real> between(const LayerOf<Real>& a, const LayerOf<Real>& b, const Real& t) {
-  return {fma(t, b.depth - a.depth, a.depth), fma(t, b.x - a.x, a.x), fma(t, b.y - a.y, a.y)};
+  const Real depth = fma(t, b.depth() - a.depth(), a.depth());
+  return {sqrt(max(depth, Real(0.0))), fma(t, b.x - a.x, a.x), fma(t, b.y - a.y, a.y)};
 }
 
-/// The polyline of each contact. Points from a contact's `count` on are its rim, (overlap, 0, 0).
+/// The polyline of each contact. Points from a contact's `count` on are its rim, where s = 0.
 template <class Real>
 struct SpringsOf {
   static constexpr int room = mindlin::layers + 3;
   LayerOf<Real> at[room];
-  Real overlap, count;
+  Real rim_root, count;
   int most;  ///< the largest count
 
-  HWY_INLINE LayerOf<Real> rim() const { return {overlap, Real(0.0), Real(0.0)}; }
+  HWY_INLINE LayerOf<Real> rim() const { return {rim_root, Real(0.0), Real(0.0)}; }
 };
 
 template <class Real>
 struct ConeOf {
-  Real overlap, friction;
+  Real overlap, rim_root, friction;
 
-  HWY_INLINE Real radius(const LayerOf<Real>& layer) const { return friction * (overlap - layer.depth); }
+  HWY_INLINE Real radius(const LayerOf<Real>& layer) const { return friction * (overlap - layer.depth()); }
   HWY_INLINE MaskType<Real> slides(const LayerOf<Real>& layer) const {
     return fma(layer.x, layer.x, layer.y * layer.y) > square(radius(layer));
   }
-  HWY_INLINE MaskType<Real> at_rim(const LayerOf<Real>& layer) const { return layer.depth >= overlap; }
+  HWY_INLINE MaskType<Real> at_rim(const LayerOf<Real>& layer) const { return layer.root >= rim_root; }
   HWY_INLINE LayerOf<Real> projected(const LayerOf<Real>& layer) const {
     const Real r = radius(layer), size = fma(layer.x, layer.x, layer.y * layer.y);
     const MaskType<Real> out = size > r * r;
     if (!any(out)) return layer;
     const Real share = select(out, r / sqrt(select(out, size, Real(1.0))), Real(1.0));
-    return {layer.depth, layer.x * share, layer.y * share};
+    return {layer.root, layer.x * share, layer.y * share};
   }
   /// Where the line from a spring that sticks to one that slides leaves the cone; the second itself if it sticks too.
   HWY_INLINE LayerOf<Real> crossing(const LayerOf<Real>& sticks, const LayerOf<Real>& slips) const {
     const Real zero(0.0), one(1.0);
-    const Real drop = friction * (slips.depth - sticks.depth), r = radius(sticks);
+    const Real drop = friction * (slips.depth() - sticks.depth()), r = radius(sticks);
     const Real dx = slips.x - sticks.x, dy = slips.y - sticks.y;
     const Real A = dx * dx + dy * dy - drop * drop;
     const Real B = sticks.x * dx + sticks.y * dy + r * drop;
@@ -90,26 +95,23 @@ struct PlanarOf {
 template <class Real>
 HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
   static constexpr double node = 0.7745966692414834;  // √(3/5)
-  const Real from = sqrt(a.depth), to = sqrt(b.depth);
-  const Real middle = Real(0.5) * (from + to), half = Real(0.5) * (to - from);
-  const Real length = b.depth - a.depth;
-  const MaskType<Real> some = length > Real(0.0);
-  const Real inverse = select(some, Real(1.0) / select(some, length, Real(1.0)), Real(0.0));
-  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
+  const Real width = b.root - a.root;
+  const Real skew = Real(0.5) * width / (b.root + a.root);
+  PlanarOf<Real> total{Real(0.0), Real(0.0)};
   const auto gauss = [&](double place, double weight) HWY_ATTR {
-    const Real q = fma(Real(place), half, middle);
-    const LayerOf<Real> s = between(a, b, (q * q - a.depth) * inverse);
-    sum.x += Real(weight) * s.x * s.x;
-    sum.y += Real(weight) * s.y * s.y;
+    // The depth's share of the way where √η is at `place` of its own, in −1 … 1.
+    const Real t = Real(0.5 * (1.0 + place)) * fma(Real(place - 1.0), skew, Real(1.0));
+    const Real x = fma(t, b.x - a.x, a.x), y = fma(t, b.y - a.y, a.y);
+    total.x = fma(Real(weight) * x, x, total.x);
+    total.y = fma(Real(weight) * y, y, total.y);
   };
   gauss(-node, 5.0 / 9.0);
   gauss(0.0, 8.0 / 9.0);
   gauss(node, 5.0 / 9.0);
-  const Real two_half = half + half;
-  return {two_half * sum.x, two_half * sum.y};
+  return {width * total.x, width * total.y};
 }
 
-/// The same over the whole polyline.
+/// The same over the whole polyline. @pre overlap > 0 wherever the result is used
 template <class Real>
 HWY_INLINE PlanarOf<Real> squared(const SpringsOf<Real>& line) {
   PlanarOf<Real> sum{Real(0.0), Real(0.0)};
@@ -121,9 +123,9 @@ HWY_INLINE PlanarOf<Real> squared(const SpringsOf<Real>& line) {
   return sum;
 }
 
-/// Where a contact holds more than `layers` points, leaves out the one that bends the line least, weighed by the stretch
-/// it bends. Points whose loss surely gives energy away, their chord lying between them and zero, go first; if energy
-/// rises all the same, the component shrinks until it does not: forgetting must not create energy.
+/// Where a contact holds more than `layers` points, leaves out the one that bends the line least, weighed by the
+/// stretch it bends. Points whose loss surely gives energy away, their chord lying between them and zero, go first; if
+/// energy rises all the same, the component shrinks until it does not: forgetting must not create energy.
 template <class Real>
 HWY_NOINLINE void forget_one(SpringsOf<Real>& line) {
   static constexpr double reluctance = 4.0;
@@ -136,14 +138,14 @@ HWY_NOINLINE void forget_one(SpringsOf<Real>& line) {
   for (int i = 1; i < line.most; ++i) {
     const LayerOf<Real>&a = line.at[i - 1], &at = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
-    const Real left = at.depth - a.depth, right = b.depth - at.depth, stretch = left + right;
+    const Real left = at.depth() - a.depth(), right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
-    const MaskType<Real> gives = (bend_x * a.x >= zero) & (bend_x * b.x >= zero) & (bend_y * a.y >= zero) &
-                                 (bend_y * b.y >= zero);
+    const MaskType<Real> gives =
+        (bend_x * a.x >= zero) & (bend_x * b.x >= zero) & (bend_y * a.y >= zero) & (bend_y * b.y >= zero);
     const MaskType<Real> real = left * right > zero;
-    const Real cost = (abs(bend_x) + abs(bend_y)) * stretch / select(real, left * right, one) *
-                      select(gives, one, Real(reluctance));
+    const Real cost =
+        (abs(bend_x) + abs(bend_y)) * stretch / select(real, left * right, one) * select(gives, one, Real(reluctance));
     const MaskType<Real> better = real & (cost < smallest);
     smallest = select(better, cost, smallest);
     least = select(better, Real(double(i)), least);
@@ -173,36 +175,6 @@ HWY_NOINLINE void forget_one(SpringsOf<Real>& line) {
   for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
 }
 
-/// Values of many contacts, each put at a place of its own in a column.
-template <class Real>
-class Places {
- public:
-  HWY_INLINE void put(const Real& place, const LayerOf<Real>& layer);
-  HWY_INLINE LayerOf<Real> get(int place) const {
-    const std::size_t at = static_cast<std::size_t>(place) * lanes<Real>();
-    return {load<Real>(&depth_[at], lanes<Real>()), load<Real>(&x_[at], lanes<Real>()),
-            load<Real>(&y_[at], lanes<Real>())};
-  }
-
- private:
-  static constexpr std::size_t size = (SpringsOf<Real>::room + 1) * lanes<Real>();
-  HWY_ALIGN double depth_[size], x_[size], y_[size];
-};
-template <>
-HWY_INLINE void Places<double>::put(const double& place, const LayerOf<double>& layer) {
-  const auto at = static_cast<std::size_t>(place);
-  depth_[at] = layer.depth, x_[at] = layer.x, y_[at] = layer.y;
-}
-template <>
-HWY_INLINE void Places<Batch>::put(const Batch& place, const LayerOf<Batch>& layer) {
-  const IntTag integers;
-  const auto lane = hn::Iota(integers, 0);
-  const auto at = hn::Add(hn::Mul(hn::ConvertTo(integers, place.v), hn::Set(integers, std::int64_t(lanes<Batch>()))), lane);
-  hn::ScatterIndex(layer.depth.v, Tag(), depth_, at);
-  hn::ScatterIndex(layer.x.v, Tag(), x_, at);
-  hn::ScatterIndex(layer.y.v, Tag(), y_, at);
-}
-
 HWY_INLINE int largest(double count) {
   return static_cast<int>(count);
 }
@@ -216,23 +188,25 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   constexpr int room = SpringsOf<Real>::room;
   const Real zero(0.0), one(1.0);
   const int last = line.most;  // the place of the old rim
-  const ConeOf<Real> cone{overlap, friction};
+  const Real rim_root = sqrt(overlap);
+  const ConeOf<Real> cone{overlap, rim_root, friction};
 
   // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
   LayerOf<Real> trial[mindlin::layers + 1];
-  for (int i = 0; i < last; ++i) trial[i] = {line.at[i].depth, line.at[i].x + shift.x, line.at[i].y + shift.y};
-  trial[last] = {line.overlap, shift.x, shift.y};
+  for (int i = 0; i < last; ++i) trial[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
+  trial[last] = {line.rim_root, shift.x, shift.y};
   LayerOf<Real> inner = trial[0], outer = trial[last];
   for (int i = 0; i < last; ++i) {
-    const MaskType<Real> cut = !cone.at_rim(trial[i]) & cone.at_rim(trial[i + 1]);
+    const MaskType<Real> cut = (!cone.at_rim(trial[i])) & cone.at_rim(trial[i + 1]);
     inner = select(cut, trial[i], inner);
     outer = select(cut, trial[i + 1], outer);
   }
-  const MaskType<Real> grows = overlap > line.overlap;
-  const Real length = outer.depth - inner.depth;
+  const MaskType<Real> grows = rim_root > line.rim_root;
+  const Real length = outer.depth() - inner.depth();
   const MaskType<Real> some = length > zero;
-  const LayerOf<Real> at_cut = between(inner, outer, (overlap - inner.depth) / select(some, length, one));
-  const LayerOf<Real> end{overlap, select(grows, zero, at_cut.x), select(grows, zero, at_cut.y)};
+  const Real cut_at = (overlap - inner.depth()) / select(some, length, one);
+  const LayerOf<Real> end{rim_root, select(grows, zero, fma(cut_at, outer.x - inner.x, inner.x)),
+                          select(grows, zero, fma(cut_at, outer.y - inner.y, inner.y))};
 
   // From the rim inwards: which springs belong to the slide at the rim.
   MaskType<Real> tail[mindlin::layers + 1];
@@ -253,7 +227,7 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   const MaskType<Real> all_slide = inside;
   const LayerOf<Real> front = cone.crossing(sticks, slips);
 
-  line.overlap = overlap;
+  line.rim_root = rim_root;
   const LayerOf<Real> rim = line.rim();
   LayerOf<Real> next[room];
   next[0] = held[0];
@@ -275,37 +249,53 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
       last_next = select(is_rim, last_next, next[i]);
       points = select(is_rim, points, points + one);
     }
-    const MaskType<Real> halve = turns & (all_slide | cone.slides(slips)) & (points <= Real(double(mindlin::layers))) &
-                                 (overlap - last_next.depth > Real(0.125) * (overlap - foot.depth));
-    const Real share = (Real(0.5) * (last_next.depth + overlap) - last_trial.depth) / (overlap - last_trial.depth);
+    const MaskType<Real> halve = turns & (all_slide | cone.slides(slips)) & (points < Real(double(mindlin::layers))) &
+                                 (overlap - last_next.depth() > Real(0.125) * (overlap - foot.depth()));
+    const Real share =
+        (Real(0.5) * (last_next.depth() + overlap) - last_trial.depth()) / (overlap - last_trial.depth());
     const LayerOf<Real> middle = cone.projected(between(last_trial, end, share));
-    for (int i = 1; i <= last + 2; ++i)
-      next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
+    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
   }
 
   // Points on a straight line, or on top of each other, say nothing.
-  Places<Real> kept;
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
-  const Real nowhere(double{room});
   LayerOf<Real> previous = next[0];
-  kept.put(zero, previous);
-  Real count(1.0);
+  Real count(1.0), way[room];  // how many idle points stand before each
+  way[0] = zero;
   for (int i = 1; i <= last + 2; ++i) {
     const LayerOf<Real>& point = next[i];
     const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
-    const Real left = point.depth - previous.depth, right = following.depth - point.depth, stretch = left + right;
+    const Real left = point.depth() - previous.depth(), right = following.depth() - point.depth();
+    const Real stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
     const MaskType<Real> idle = (bend_x <= rounding * stretch) & (bend_y <= rounding * stretch) & (right > close);
-    const MaskType<Real> keep = !(idle | (left <= close) | (overlap - point.depth <= close));
-    if (!any(keep)) continue;
-    kept.put(select(keep, count, nowhere), point);
+    const MaskType<Real> keep = !(idle | (left <= close) | (overlap - point.depth() <= close));
+    way[i] = select(keep, Real(double(i)) - count, zero);
     previous = select(keep, point, previous);
     count = select(keep, count + one, count);
   }
+  // The others move up over them: by one place where their way is odd, then by two where half of it is, and so on.
+  for (int step = 1; step < room; step *= 2) {
+    Real longest(0.0);
+    for (int i = 0; i <= last + 2; ++i) {
+      const Real half = floor(Real(0.5) * way[i]);
+      const MaskType<Real> leaves = way[i] > half + half;
+      if (i + step <= last + 2) {
+        const Real other = way[i + step], other_half = floor(Real(0.5) * other);
+        const MaskType<Real> comes = other > other_half + other_half;
+        next[i] = select(comes, next[i + step], next[i]);
+        way[i] = select(comes, other_half, select(leaves, zero, half));
+      } else {
+        way[i] = select(leaves, zero, half);
+      }
+      longest = max(longest, way[i]);
+    }
+    if (!any(longest > zero)) break;
+  }
   line.count = count;
   line.most = largest(count);
-  for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, kept.get(i), rim);
+  for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
   while (line.most > mindlin::layers) {
     forget_one(line);
     line.most = largest(line.count);
@@ -316,21 +306,18 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
 template <class Real>
 HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
   PlanarOf<Real> sum{Real(0.0), Real(0.0)};
-  Real root(0.0);
   for (int i = 0; i < line.most; ++i) {
     const LayerOf<Real>& a = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
-    const Real next = sqrt(b.depth);
-    const Real mean = next + root * root / (root + next);
+    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
     sum.x += mean * (a.x - b.x);
     sum.y += mean * (a.y - b.y);
-    root = next;
   }
   return sum;
 }
 
-/// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal to
-/// the new one by the shortest way, then by the spin, and keeps the springs with it.
+/// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
+/// to the new one by the shortest way, then by the spin, and keeps the springs with it.
 template <class Real>
 HWY_INLINE void carry(SpringsOf<Real>& line, const V3<Real>& old_normal, const V3<Real>& old_axis,
                       const V3<Real>& normal, const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,

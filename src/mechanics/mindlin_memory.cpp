@@ -18,21 +18,21 @@ using Vector = HWY_NAMESPACE::V3<double>;
 
 Line line_of(const Springs& springs) {
   Line line;
-  line.overlap = springs.overlap;
+  line.rim_root = std::sqrt(springs.overlap);
   line.count = static_cast<double>(springs.count);
   line.most = static_cast<int>(springs.count);
   for (int i = 0; i < line.most; ++i) {
     const Layer& layer = springs.at[static_cast<std::size_t>(i)];
-    line.at[i] = {layer.depth, layer.x, layer.y};
+    line.at[i] = {std::sqrt(layer.depth), layer.x, layer.y};
   }
   return line;
 }
 
+/// The root of a square is the number itself: depths come back to the bit.
 void keep(Springs& springs, const Line& line) {
-  springs.overlap = line.overlap;
   springs.count = line.most;
   for (int i = 0; i < line.most; ++i)
-    springs.at[static_cast<std::size_t>(i)] = {line.at[i].depth, line.at[i].x, line.at[i].y};
+    springs.at[static_cast<std::size_t>(i)] = {line.at[i].depth(), line.at[i].x, line.at[i].y};
 }
 
 Vector vector(const Vec3& v) {
@@ -57,6 +57,7 @@ void advance(Springs& springs, double overlap, Planar shift, double friction) {
     line.most = 1;
   }
   HWY_NAMESPACE::advance<double>(line, overlap, {shift.x, shift.y}, friction);
+  springs.overlap = overlap;
   keep(springs, line);
 }
 

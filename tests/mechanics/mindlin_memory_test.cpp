@@ -255,8 +255,8 @@ TEST_CASE("A path mirrored or turned in the plane of a circular contact mirrors 
     mindlin::advance(one, overlap, shift, friction);
     mindlin::advance(other, overlap, {c * shift.x + s * shift.y, s * shift.x - c * shift.y}, friction);
     const Planar a = mindlin::traction(one), b = mindlin::traction(other);
-    worst = std::fmax(worst, std::hypot(b.x - c * a.x - s * a.y, b.y - s * a.x + c * a.y) /
-                                 (friction * std::pow(overlap, 1.5)));
+    worst = std::fmax(
+        worst, std::hypot(b.x - c * a.x - s * a.y, b.y - s * a.x + c * a.y) / (friction * std::pow(overlap, 1.5)));
   }
   // Which point is forgotten depends on the axes: a bounded memory's own error.
   CHECK(worst < 0.05);

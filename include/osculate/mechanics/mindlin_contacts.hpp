@@ -2,6 +2,8 @@
 // The contacts of a time step, many at once: elliptical Hertz, viscous damping along the normal, Mindlin's partial slip
 // with memory.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -40,6 +42,25 @@ struct BatchInput {
   std::span<const double> spin;          ///< [rad]
 };
 
+/// The memories of `width` contacts side by side, as the batch walks them. Trivially copyable; a zero-initialised one
+/// holds contacts not yet made. Contact i of a batch is lane i % width of block i / width.
+struct alignas(64) MemoryBlock {
+  static constexpr std::size_t width = 8;
+  using Lanes = std::array<double, width>;
+
+  Lanes overlap{};
+  Lanes count{};
+  std::array<Lanes, 3> normal{};
+  std::array<Lanes, 3> axis{};
+  std::array<Lanes, layers> root{};  ///< √η
+  std::array<Lanes, layers> x{};
+  std::array<Lanes, layers> y{};
+
+  /// One contact's memory, to move it to another place, process or file.
+  Memory get(std::size_t lane) const;
+  void set(std::size_t lane, const Memory& memory);
+};
+
 enum class BatchStatus : std::uint8_t {
   open,       ///< no overlap: no force, nothing remembered
   pressed,    ///< in contact
@@ -56,7 +77,7 @@ struct BatchOutput {
 
 /// One step of all contacts. Friction is limited by the elastic part of the normal force, which is the one that the
 /// memory knows. A contact's answer does not depend on its neighbours. Throws InputError only when the spans' lengths
-/// differ.
-void contacts(const Pair& pair, const BatchInput& input, std::span<Memory> memory, const BatchOutput& output);
+/// differ or there are not exactly as many blocks as the contacts fill.
+void contacts(const Pair& pair, const BatchInput& input, std::span<MemoryBlock> memory, const BatchOutput& output);
 
 }  // namespace osculate::mindlin
