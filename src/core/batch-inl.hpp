@@ -1,6 +1,6 @@
 // Scalar or batch: one formula, two number types.
 // A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
-// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, any, all. Highway includes it once per
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes it once per
 // instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its own.
 #if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_CORE_BATCH_INL
@@ -135,6 +135,12 @@ HWY_INLINE Batch log(Batch a) {
 }
 HWY_INLINE Batch exp(Batch a) {
   return Batch(hn::Exp(Tag(), a.v));
+}
+HWY_INLINE Batch sin(Batch a) {
+  return Batch(hn::Sin(Tag(), a.v));
+}
+HWY_INLINE Batch cos(Batch a) {
+  return Batch(hn::Cos(Tag(), a.v));
 }
 HWY_INLINE Batch floor(Batch a) {
   return Batch(hn::Floor(a.v));
