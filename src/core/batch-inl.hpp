@@ -1,7 +1,8 @@
 // Scalar or batch: one formula, two number types.
 // A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
-// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes it once per
-// instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its own.
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes
+// it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its
+// own.
 #if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_CORE_BATCH_INL
 #undef OSCULATE_CORE_BATCH_INL

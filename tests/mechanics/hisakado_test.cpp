@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mechanics/asperity_heights.hpp"
-#include "mechanics/quadrature.hpp"
+#include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/mindlin.hpp"

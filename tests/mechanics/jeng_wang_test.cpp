@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "mechanics/quadrature.hpp"
+#include "mechanics/gsl_quadrature.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/greenwood_williamson.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/quadrature.hpp"
+#include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/elliptic_integrals.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "mechanics/quadrature.hpp"
+#include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/elliptic_integrals.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/quadrature.hpp"
+#include "mechanics/gsl_quadrature.hpp"
 #include "osculate/core/error.hpp"
 
 namespace kalker = osculate::kalker;
