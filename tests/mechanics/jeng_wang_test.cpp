@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "mechanics/gsl_quadrature.hpp"
+#include "mechanics/quadrature.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/greenwood_williamson.hpp"
 
