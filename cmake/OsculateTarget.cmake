@@ -4,8 +4,17 @@ function(osculate_options target)
     $<$<BOOL:${OSCULATE_WARNINGS_AS_ERRORS}>:-Werror> $<$<BOOL:${OSCULATE_NATIVE}>:-march=native>
     # errno and floating-point traps are not used; with them sqrt and select would not be one instruction.
     -fno-math-errno -fno-trapping-math)
-  # Highway compiles the batched kernels once per instruction set and picks at run time; SSSE3 adds nothing over SSE4.
-  target_compile_definitions(${target} PRIVATE HWY_DISABLED_TARGETS=HWY_SSSE3)
+  if(OSCULATE_NATIVE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # g++ 12 warns about its own AVX-512 header (GCC bug 105593).
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+  endif()
+  # Highway compiles the batched kernels for AVX-512, AVX2 and the portable baseline and picks at run time; the targets
+  # between these would only cost compile time. For one machine there is one target, and nothing to pick.
+  if(OSCULATE_NATIVE)
+    target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC)
+  else()
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL)")
+  endif()
 endfunction()
 
 # Every source of a room, so that a new theory or shape is its own file and nothing else.

@@ -1,6 +1,6 @@
 #include "validation/comparison.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -40,8 +40,7 @@ Comparison compare(std::string item, std::string quantity, std::optional<Printed
 }
 
 std::string to_text(const ReproducedTable& table) {
-  std::string text = table.title + "\n\n";
-  for (const auto& line : table.preamble) text += line + "\n";
+  const auto lines = [](const std::vector<std::string>& of) { return fmt::format("{}\n", fmt::join(of, "\n")); };
   io::Table columns{{"case", "quantity", "printed", "computed", "range", "difference", "verdict", "note"}, {}};
   for (const auto& row : table.rows) {
     const bool both = row.printed && row.computed;
@@ -52,9 +51,7 @@ std::string to_text(const ReproducedTable& table) {
                             both ? fmt::format("{:+.3f} %", 100.0 * (*row.computed / row.printed->value - 1.0)) : "–",
                             name(row.verdict), row.remark});
   }
-  text += "\n" + io::to_text(columns) + "\n";
-  for (const auto& note : table.notes) text += note + "\n";
-  return text;
+  return fmt::format("{}\n\n{}\n{}\n{}", table.title, lines(table.preamble), io::to_text(columns), lines(table.notes));
 }
 
 std::string to_json(const ReproducedTable& table) {

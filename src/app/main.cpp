@@ -23,6 +23,7 @@ constexpr const char* first_steps =
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
   osculate review table1                                   the review's Table 1: printed against computed
   osculate validate curvature                              curvatures against jets fitted to the surface
+  osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate bench narrow                                    what a contact costs on this machine
 
 `osculate COMMAND --help` explains a command and the files it reads.

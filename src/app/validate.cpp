@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.hpp"
+#include "app/validate_narrow.hpp"
 #include "osculate/core/error.hpp"
 
 #ifdef OSCULATE_HAS_CGAL
@@ -71,6 +72,7 @@ void add_validate(CLI::App& program) {
           "curvature",
           "Principal curvatures against polynomials fitted to surface points (CGAL), with convergence order")
       ->callback(validate_curvature);
+  add_validate_narrow(*validate);
 }
 
 }  // namespace osculate::app

@@ -29,6 +29,7 @@ struct SurfacePair {
   V3<Real> centre_2;
   Real length, inverse_length;  ///< L, of the order of the smaller body
   Real share_1, share_2;        ///< L over each body's own size
+  Real round_off;               ///< of coordinates, over L
 
   HWY_INLINE auto lift_1(const V3<Real>& point, const V3<Real>& normal) const { return surface_1.lift(point, normal); }
   HWY_INLINE auto lift_2(const V3<Real>& point, const V3<Real>& normal) const {
@@ -196,8 +197,8 @@ HWY_INLINE void limit(Step<Real>& step, const Real& squared, const Real& longest
 constexpr double longest_step = 0.7;
 /// A step of this size is the last: what it leaves undone is its square.
 constexpr double small_step = 1e-12;
-/// Residuals of this size are round-off: points on flat sets move no further.
-constexpr double round_off = 2e-15;
+/// Normals that differ by this are equal: points on flat sets move no further.
+constexpr double equal_normals = 3e-15;
 /// Below this, steps that no longer shrink are round-off: sharp tips magnify it.
 constexpr double stalled_step = 1e-8;
 
@@ -233,12 +234,15 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int m
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
     Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
     const Real moved = squared_size(pair, step);
-    const Real residual = dot(step.mismatch, step.mismatch) + dot(step.offset, step.offset);
+    const MaskType<Real> solved = (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
+                                  (dot(step.offset, step.offset) < square(Real(16.0) * pair.round_off));
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
+    // Parallel normals have no tangential mismatch either.
+    const MaskType<Real> opposed = dot(jet_1.normal, jet_2.normal) < Real(0.0);
     const MaskType<Real> stalled = (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
     const MaskType<Real> arrived =
-        ((moved < Real(small_step * small_step)) | (residual < Real(round_off * round_off)) | stalled) & step.descends;
+        ((moved < Real(small_step * small_step)) | solved | stalled) & step.descends & opposed;
     last_move = moved;
     if (i == 0) {
       answer.touch = next;
@@ -281,8 +285,8 @@ constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
 /// where the direction alone is blind. The direct candidate turns the direction: it crosses rims, where the points are.
 /// `lifts` answers from a guess of the point, `supports` from the normal.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
-HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, const Effort& effort,
-                               Real& overlap) {
+HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, const Effort& effort,
+                                 Real& overlap) {
   const Real one(1.0);
   Real radius(longest_step);
   auto jet_1 = supports.support_1(direction);
@@ -313,7 +317,9 @@ HWY_INLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<
       next_overlap = select(failed, dot(direct_1.point - direct_2.point, direct), next_overlap);
     }
     const MaskType<Real> better = (next_overlap < overlap) & !done;
-    const MaskType<Real> near = better & (squared < Real(effort.near_step * effort.near_step));
+    // Across flat faces an overlap changes by less than its round-off: only points can tell the rest.
+    const MaskType<Real> level = next_overlap - overlap < Real(4.0) * lifts.round_off * lifts.length;
+    const MaskType<Real> near = (better & (squared < Real(effort.near_step * effort.near_step))) | (level & !better);
     radius = select(better, radius, Real(0.25) * radius);
     direction = select(better, next, direction);
     overlap = select(better, next_overlap, overlap);

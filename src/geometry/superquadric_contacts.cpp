@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 // The target list above comes first.
 #include "geometry/common_normal-inl.hpp"
+#include "geometry/penetration_hull.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -35,7 +36,7 @@ Rows rows_from(const std::vector<Index>& list, Index start) {
 template <class Real>
 HWY_INLINE Real read(const double* column, const Rows& rows) {
   if (rows.consecutive) return load<Real>(column + rows.index[0], rows.count);
-  HWY_ALIGN double gathered[lanes<Real>()];
+  HWY_ALIGN double gathered[lanes<Real>()] = {};
   for (Index i = 0; i < rows.count; ++i) gathered[i] = column[rows.index[i]];
   return load<Real>(gathered, rows.count);
 }
@@ -122,15 +123,25 @@ struct Problem {
   V3<Real> centre_2;            ///< in the frame of the first
   Real size_1, size_2, length;  ///< largest half-axes, and the smaller of the two
 
+  HWY_INLINE Real coordinate_size() const { return size_1 + size_2 + norm(centre_2); }
+
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
-    return {Surface(body_1), Surface(body_2),    rotation,        centre_2,
-            length,          Real(1.0) / length, length / size_1, length / size_2};
+    const Real inverse_length = Real(1.0) / length;
+    return {.surface_1 = Surface(body_1),
+            .surface_2 = Surface(body_2),
+            .rotation = rotation,
+            .centre_2 = centre_2,
+            .length = length,
+            .inverse_length = inverse_length,
+            .share_1 = length / size_1,
+            .share_2 = length / size_2,
+            .round_off = Real(2.2e-16) * coordinate_size() * inverse_length};
   }
 };
 
 template <class Real>
-HWY_INLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
+HWY_NOINLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
   const Body<Real> given_1 = read_body<Real>(pairs, 0, rows);
   const Body<Real> given_2 = read_body<Real>(pairs, SuperquadricPairs::per_body, rows);
   const MaskType<Real> swapped = precedes(given_2, given_1);
@@ -167,8 +178,8 @@ HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Rea
 constexpr double flat_curvature = 1e-9;
 
 template <class Real>
-HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
-                             ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
+HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
+                               ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
   const auto& pair = problem;
@@ -224,9 +235,9 @@ HWY_INLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& a
 
 /// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
-HWY_INLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
-                                ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
-                                ContactCaches& caches, const Rows& rows) {
+HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
+                                  ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
+                                  ContactCaches& caches, const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction);
   auto& columns = contacts.columns;
   write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
@@ -245,8 +256,11 @@ HWY_INLINE void write_direction(const Problem<Real>& problem, const V3<Real>& di
 /// The best of the centre line and both bodies' normals on it.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
 HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
-  const V3<Real> toward = lifts.centre_2, centre_line = normalised(toward);
   const Real zero(0.0);
+  // From coincident centres any direction is as good a start.
+  const V3<Real> toward =
+      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
+  const V3<Real> centre_line = normalised(toward);
   const V3<Real> origin{zero, zero, zero};
   const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
   V3<Real> best = centre_line;
@@ -263,7 +277,7 @@ HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports
 /// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
 template <class Real>
 HWY_INLINE Real overlap_tolerance(const Problem<Real>& problem) {
-  return Real(1e-12) * problem.length + Real(1e-14) * (problem.size_1 + problem.size_2 + norm(problem.centre_2));
+  return Real(1e-12) * problem.length + Real(1e-14) * problem.coordinate_size();
 }
 
 inline std::uint64_t used_lanes(const Rows& rows) {
@@ -342,7 +356,7 @@ HWY_INLINE V3<Real> axis_direction(const Problem<Real>& problem, int k) {
   return k < 6 ? unit : problem.rotation.apply(unit);
 }
 
-/// The few pairs that are left: from many starts and with patience. The deepest minimum of those found is the answer.
+/// The few pairs that are left: with patience, then from many starts. The deepest minimum of those found is the answer.
 template <class Real>
 void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
                 const std::vector<Index>& list) {
@@ -354,21 +368,21 @@ void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCo
     const std::uint64_t used = used_lanes(rows);
     V3<Real> best_direction = first_direction(lifts, supports);
     Real least = overlap_along(supports, best_direction);
-    Answer<Real> best;
-    for (int k = -1; k < 12; ++k) {
+    const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) {
       Real lowest(0.0);
-      const Touch<Real> touch =
-          descend(lifts, supports, k < 0 ? best_direction : axis_direction(problem, k), stubborn, lowest);
-      const Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
-      const auto good = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem));
-      best_direction = select(lowest < least, touch.normal_1, best_direction);
-      least = min(least, lowest);
-      if (k < 0) {
-        best = answer;
-        best.converged = good;
-      } else {
-        best = select(good & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
-      }
+      const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+      Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
+      answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
+      const MaskType<Real> lower = open & (lowest < least);
+      best_direction = select(lower, touch.normal_1, best_direction);
+      least = select(lower, lowest, least);
+      return answer;
+    };
+    Answer<Real> best = attempt(best_direction, least == least);
+    const MaskType<Real> open = !best.converged;
+    for (int k = 0; k < 12 && (bits(open) & used) != 0; ++k) {
+      const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+      best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
     }
     const auto found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
     const std::uint64_t converged = bits(found) & used;
@@ -378,6 +392,102 @@ void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCo
     const Real zero(0.0);
     write_direction(problem, V3<Real>{zero, zero, zero}, zero, ContactStatus::degenerate, used & ~converged & ~finite,
                     contacts, caches, rows);
+  }
+}
+
+/// A lower bound of a body's radii of curvature: a_min²/((n − 1) a_max); zero where an exponent is below 2.
+inline double least_radius(const double* half_axes, const double* exponents) {
+  const auto [smallest, largest] = std::minmax({half_axes[0], half_axes[1], half_axes[2]});
+  if (std::min(exponents[0], exponents[1]) < 2.0) return 0.0;
+  return smallest * smallest / ((std::max(exponents[0], exponents[1]) - 1.0) * largest);
+}
+
+/// A ball of radius R1 + R2, the least radii of curvature, rolls inside the difference body. A minimum of the overlap
+/// that is no deeper than that is the only one so shallow, hence the global one.
+inline bool is_certainly_global(const SuperquadricPairs& pairs, double overlap, Index i) {
+  double radii = 0.0;
+  for (const std::size_t body : {std::size_t{0}, SuperquadricPairs::per_body}) {
+    double numbers[5];
+    for (std::size_t k = 0; k < 5; ++k) numbers[k] = pairs.columns[body + k][i];
+    radii += least_radius(numbers, numbers + 3);
+  }
+  return overlap <= radii;
+}
+
+inline Vec3 vec3(const V3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+inline V3<double> v3(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across.
+/// A second minimum as shallow as the first within round-off makes the contact ambiguous.
+void confirm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
+             const std::vector<Index>& list) {
+  constexpr int most_supports = 300;
+  constexpr std::size_t most_others = 8;
+  constexpr double tolerance = 1e-4;    // minima closer than this in overlap are not told apart
+  constexpr double same_normal = 0.95;  // cosine: faces nearer than this belong to the minimum itself
+  for (Index start = 0; start < list.size(); ++start) {
+    const Rows rows = rows_from<double>(list, start);
+    const Index i = list[start];
+    const auto problem = problem_of<double>(pairs, rows);
+    const auto lifts = problem.as<MixedSurface<double>>();
+    const auto supports = problem.as<SupportSurface<SharpJet<double>, double, RealPower>>();
+    const double equal = overlap_tolerance(problem);
+    double least = contacts.columns[3][i];
+    const V3<double> world{contacts.columns[0][i], contacts.columns[1][i], contacts.columns[2][i]};
+    V3<double> normal = problem.frame.apply_inverse(problem.swapped ? -world : world);
+
+    const auto difference_point = [&](const V3<double>& u) {
+      return supports.support_1(u).point - supports.support_2(-u).point;
+    };
+    const V3<double> centre = -problem.centre_2;
+    const auto arm = [&](const V3<double>& u) { return vec3(difference_point(u) - centre); };
+    PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
+                         problem.size_1 + problem.size_2);
+    const auto minimum_from = [&](const V3<double>& direction) {
+      Answer<double> answer;
+      for (const Effort& effort : {usual, stubborn}) {
+        double lowest = 0.0;
+        const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
+        answer = polish(lifts, touch, effort.newtons);
+        answer.converged = answer.converged && answer.overlap <= lowest + equal;
+        if (answer.converged) break;
+      }
+      return answer;
+    };
+    for (int k = 0; k < most_supports; ++k) {
+      const PenetrationHull::Face* face = hull.lowest();
+      if (face == nullptr || face->offset >= (1.0 - tolerance) * least) break;
+      const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
+      if (dot(support_point, direction) < least - equal) {
+        const Answer<double> answer = minimum_from(direction);
+        if (answer.converged && answer.overlap < least - equal) {
+          write_answer(problem, answer, 1, contacts, caches, rows);
+          least = answer.overlap;
+          normal = answer.normal;
+        }
+      }
+      hull.expand(*face, vec3(support_point));
+    }
+    // Faces as low as the minimum, elsewhere: one more minimum as good?
+    std::vector<V3<double>> elsewhere;
+    const auto is_new = [&](const V3<double>& direction) {
+      return dot(direction, normal) < same_normal &&
+             std::all_of(elsewhere.begin(), elsewhere.end(),
+                         [&](const V3<double>& other) { return dot(direction, other) < same_normal; });
+    };
+    for (const auto& face : hull.faces())
+      if (face.offset <= least + equal && elsewhere.size() < most_others && is_new(v3(face.normal)))
+        elsewhere.push_back(v3(face.normal));
+    for (const V3<double>& direction : elsewhere) {
+      const Answer<double> answer = minimum_from(direction);
+      if (!answer.converged || answer.overlap > least + equal || dot(answer.normal, normal) > same_normal) continue;
+      contacts.statuses[i] = ContactStatus::ambiguous;
+      break;
+    }
   }
 }
 
@@ -427,6 +537,13 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   solve_cold<Real, Blunt, BluntSupport>(pairs, caches, contacts, gap, cold[all_blunt], hard);
   solve_cold<Real, Sharp, SharpSupport>(pairs, caches, contacts, gap, cold[some_sharp], hard);
   solve_hard<Real>(pairs, caches, contacts, hard);
+  std::vector<Index> deep;
+  for (const auto& solved : cold)
+    for (Index i : solved)
+      if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
+          !is_certainly_global(pairs, contacts.columns[3][i], i))
+        deep.push_back(i);
+  confirm(pairs, caches, contacts, deep);
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {

@@ -6,16 +6,26 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "osculate/core/error.hpp"
 
 namespace osculate::io {
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), temporary_(path_ + ".XXXXXX") {
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
   struct stat status {};
-  if (::stat(path_.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
-    throw InputError(path_, "this is a directory", "the name of a file to write");
+  const bool exists = ::stat(path_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw InputError(path_, "this is a directory", "the name of a file to write");
+  if (exists && !S_ISREG(status.st_mode)) {
+    // A device or a pipe is written to, not replaced.
+    file_ = std::fopen(path_.c_str(), "wb");
+    if (file_ == nullptr) fail("cannot be opened");
+    return;
+  }
+  // Through a link, the file it points to is the one to replace.
+  if (exists) path_ = std::filesystem::canonical(path_).string();
+  temporary_ = path_ + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary_.data());
   if (descriptor < 0) {
     temporary_.clear();
@@ -43,9 +53,11 @@ void AtomicFile::write(std::string_view text) {
 }
 
 void AtomicFile::commit() {
-  const bool flushed = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
+  const bool is_temporary = !temporary_.empty();
+  const bool flushed = std::fflush(file_) == 0 && (!is_temporary || ::fsync(::fileno(file_)) == 0);
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (!flushed || !closed) fail("cannot be written");
+  if (!is_temporary) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in its place");
   temporary_.clear();
 }

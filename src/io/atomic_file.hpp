@@ -8,6 +8,7 @@
 namespace osculate::io {
 
 /// A file under construction. Until `commit` the path keeps what it held before; without `commit` nothing changes.
+/// Through a symbolic link the file it points to is replaced. Devices and pipes are written to as they are.
 /// Every member throws InputError naming the path when the file system refuses.
 class AtomicFile {
  public:

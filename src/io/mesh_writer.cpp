@@ -2,23 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
 #include <string>
 
+#include "io/atomic_file.hpp"
 #include "io/colour.hpp"
 #include "io/curvature_scale.hpp"
 #include "osculate/core/error.hpp"
 
 namespace osculate::io {
 namespace {
-
-void save(const std::string& text, const std::filesystem::path& path) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw InputError(path.string(), "found a file that cannot be written", "a path for a mesh file");
-}
 
 std::string_view field_name(CurvatureKind kind) {
   return kind == CurvatureKind::mean       ? "mean_curvature"
@@ -59,7 +52,7 @@ void write_obj(const CurvedSurface& surface, CurvatureKind colour, const std::fi
   for (const auto& t : surface.mesh.triangles) {
     fmt::format_to(out, "f {0}//{0} {1}//{1} {2}//{2}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   }
-  save(text, path);
+  write_atomically(path.string(), text);
 }
 
 void write_vtp(const CurvedSurface& surface, CurvatureKind colour, const std::filesystem::path& path) {
@@ -97,7 +90,7 @@ void write_vtp(const CurvedSurface& surface, CurvatureKind colour, const std::fi
   });
   data_array(text, "Int64", "offsets", 1, triangles, [&](std::size_t i) { fmt::format_to(out, "{}", 3 * (i + 1)); });
   text += "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
-  save(text, path);
+  write_atomically(path.string(), text);
 }
 
 }  // namespace osculate::io

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "io/atomic_file.hpp"
 #include "io/units.hpp"
-#include "osculate/core/error.hpp"
 
 namespace osculate::io {
 namespace {
@@ -108,9 +110,17 @@ class Drawing {
     cairo_fill(cairo_.get());
   }
 
-  bool write(const std::filesystem::path& path) {
+  /// The drawing as a PNG file.
+  std::string png() {
+    const auto append = [](void* target, const unsigned char* data, unsigned int length) {
+      static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
+      return CAIRO_STATUS_SUCCESS;
+    };
+    std::string file;
     cairo_surface_flush(surface_.get());
-    return cairo_surface_write_to_png(surface_.get(), path.c_str()) == CAIRO_STATUS_SUCCESS;
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface_.get(), append, &file);
+    if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
+    return file;
   }
 
  private:
@@ -206,9 +216,7 @@ void write_annotated(const Image& image, const Picture& picture, const Projectio
     const Vec3 at = projection.point(label.position);
     drawing.text(label.text, at.x() + label.right, picture.height - at.y() - label.up, text_size, 0.0, label.colour);
   }
-  if (!drawing.write(path)) {
-    throw InputError(path.string(), "found a file that cannot be written", "a path for a PNG file");
-  }
+  write_atomically(path.string(), drawing.png());
 }
 
 }  // namespace osculate::io

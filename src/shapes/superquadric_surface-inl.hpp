@@ -96,7 +96,7 @@ class GaugeSurface {
   HWY_INLINE explicit GaugeSurface(const SuperquadricNumbers<Real>& body)
       : half_axes_(body.half_axes), norm_(gauge_norm(body.half_axes, body.n1, body.n2)) {}
 
-  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
+  HWY_NOINLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
     const NestedJet<Real> jet = evaluate<Power>(norm_, point);
     return jet_of<Jet>(jet.inner, jet.outer, jet.sign, half_axes_, norm_.scale);
   }
@@ -115,7 +115,7 @@ class SupportSurface {
   HWY_INLINE explicit SupportSurface(const SuperquadricNumbers<Real>& body)
       : inverse_axes_(inverse(body.half_axes)), norm_(support_norm(body.half_axes, body.n1, body.n2)) {}
 
-  HWY_INLINE Jet support(const V3<Real>& normal) const {
+  HWY_NOINLINE Jet support(const V3<Real>& normal) const {
     const NestedJet<Real> jet = evaluate<Power>(norm_, normal);
     return jet_of<Jet>(dual(jet.inner), dual(jet.outer), jet.sign, norm_.scale, inverse_axes_);
   }
@@ -139,7 +139,7 @@ class MixedSurface {
         outer_exponent_(select(outer_is_dual_, dual_exponent(body.n1), body.n1)),
         inner_bias_(select(body.n2 < Real(2.0), Real(1.0 / bias), Real(bias))) {}
 
-  HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>& normal) const {
+  HWY_NOINLINE Jet lift(const V3<Real>& point, const V3<Real>& normal) const {
     const V3<Real> c = times(absolute(point), inverse_axes_), m = times(absolute(normal), half_axes_);
     // Near a sharp tip the normals know the direction in the x–y plane, near a flat pole the points.
     const MaskType<Real> i =

@@ -1,5 +1,7 @@
 #include "io/atomic_file.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -54,6 +56,28 @@ TEST_CASE("A committed file replaces the old content and can be read by whoever 
 
   std::ofstream(folder / "ordinary") << "x";
   CHECK(std::filesystem::status(path).permissions() == std::filesystem::status(folder / "ordinary").permissions());
+}
+
+TEST_CASE("A link stays a link: the file it points to is replaced") {
+  const auto folder = fresh_folder();
+  osculate::io::write_atomically((folder / "real.csv").string(), "old\n");
+  std::filesystem::create_symlink("real.csv", folder / "link.csv");
+  osculate::io::write_atomically((folder / "link.csv").string(), "new\n");
+  CHECK(std::filesystem::is_symlink(folder / "link.csv"));
+  CHECK(content(folder / "real.csv") == "new\n");
+  CHECK(files_in(folder) == 2);
+}
+
+TEST_CASE("A pipe is written to and stays a pipe") {
+  const auto pipe = fresh_folder() / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  // Open for reading and writing, so that neither end waits for the other.
+  std::fstream reader(pipe);
+  osculate::io::write_atomically(pipe.string(), "through\n");
+  std::string line;
+  std::getline(reader, line);
+  CHECK(line == "through");
+  CHECK(std::filesystem::is_fifo(pipe));
 }
 
 TEST_CASE("A place where no file can be written is an input error that names it") {

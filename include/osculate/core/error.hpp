@@ -13,8 +13,7 @@ class InputError : public std::runtime_error {
       : std::runtime_error((where.empty() ? "" : where + ": ") + found + "; expected " + expected) {}
 
   /// An error met further inside, with the place that led there.
-  InputError(const std::string& where, const InputError& cause)
-      : std::runtime_error(where + ": " + cause.what()) {}
+  InputError(const std::string& where, const InputError& cause) : std::runtime_error(where + ": " + cause.what()) {}
 };
 
 }  // namespace osculate
