@@ -197,7 +197,8 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   trial[last] = {line.rim_root, shift.x, shift.y};
   LayerOf<Real> inner = trial[0], outer = trial[last];
   for (int i = 0; i < last; ++i) {
-    const MaskType<Real> cut = (!cone.at_rim(trial[i])) & cone.at_rim(trial[i + 1]);
+    const MaskType<Real> beyond = cone.at_rim(trial[i]), next_beyond = cone.at_rim(trial[i + 1]);
+    const MaskType<Real> cut = (!beyond) & next_beyond;
     inner = select(cut, trial[i], inner);
     outer = select(cut, trial[i + 1], outer);
   }
@@ -216,7 +217,8 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   for (int i = last; i >= 0; --i) {
     const MaskType<Real> beyond = cone.at_rim(trial[i]);
     const LayerOf<Real> point = select(beyond, end, trial[i]);
-    tail[i] = inside & (beyond | cone.slides(point));
+    const MaskType<Real> out = cone.slides(point);
+    tail[i] = inside & (beyond | out);
     const MaskType<Real> front = inside & !tail[i];
     sticks = select(front, point, sticks);
     slips = select(front, i == last ? end : trial[i + 1], slips);
@@ -249,7 +251,8 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
       last_next = select(is_rim, last_next, next[i]);
       points = select(is_rim, points, points + one);
     }
-    const MaskType<Real> halve = turns & (all_slide | cone.slides(slips)) & (points < Real(double(mindlin::layers))) &
+    const MaskType<Real> slip_there = cone.slides(slips);
+    const MaskType<Real> halve = turns & (all_slide | slip_there) & (points < Real(double(mindlin::layers))) &
                                  (overlap - last_next.depth() > Real(0.125) * (overlap - foot.depth()));
     const Real share =
         (Real(0.5) * (last_next.depth() + overlap) - last_trial.depth()) / (overlap - last_trial.depth());

@@ -107,11 +107,10 @@ Oblique oblique(const Contact& initial, double coupling);
 ///   C(F_n) {Θ + (1−Θ)(1 − F_t/(μF_n))^{−1/3}};  C(F_n) for Θ ≥ 1
 double oblique_loading_compliance(const Oblique& oblique, double force);
 
-/// dδ/dF_t on unloading from F_t*, as long as the slip of unloading has not met the stick of loading [m/N]: [KDY23
-/// (71)]
+/// dδ/dF_t on unloading from F_t*, until the slip of unloading meets the stick of loading [m/N]:           [KDY23 (71)]
 ///   C(F_n) {−Θ + (1+Θ)(1 − (F_t*' − F_t)/(2μF_n))^{−1/3}},  F_t*' = F_t* − μ(F_n* − F_n)
-/// F_t*' is the reversal moved with the friction limit: with F_t* itself the law would depend on the path's past only
-/// through a number that no longer lies on it, and δ would not agree with (73). C(F_n) for Θ ≥ 1.
+/// F_t*' is the reversal moved with the friction limit; with F_t* itself this would not be the slope of the
+/// displacement below. C(F_n) for Θ ≥ 1.
 double oblique_unloading_compliance(const Oblique& oblique, double force, double peak);
 
 /// Virgin loading, 0 ≤ F_t below sliding:   δ = 3/2 μF_n0 C_0 {(1+ΘΛ)^{2/3} − (1+ΘΛ−Λ)^{2/3}},            [KDY23 (72)]

@@ -15,7 +15,7 @@
 // components the springs still obey Coulomb's law one by one, but no exact solution is known: the traction of the real
 // contact is not a function of depth alone. What holds always: F_t ≤ μF_n, energy is never created, no direction is
 // preferred but the ellipse's. Under full sliding F_t points against K⁻¹ times the sliding velocity, at most
-// asin((κ_1−κ_2)/(κ_1+κ_2)) away from the velocity itself: 0 for a circle, 1.6° at b/a = 0.5 and ν = 0.3.
+// asin((κ_1−κ_2)/(κ_1+κ_2)) away from the velocity itself: 0 for a circle, 1.7° at b/a = 0.5 and ν = 0.3.
 
 #include <array>
 #include <cstdint>
