@@ -21,4 +21,7 @@ void add_review(CLI::App& program);
 /// `validate`: independent witnesses against the library.
 void add_validate(CLI::App& program);
 
+/// `study`: sweeps that show where a model holds.
+void add_study(CLI::App& program);
+
 }  // namespace osculate::app

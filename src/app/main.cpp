@@ -23,6 +23,7 @@ constexpr const char* first_steps =
   osculate review table1                                   the review's Table 1: printed against computed
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
+  osculate study halfspace                                 where two radii of curvature are not enough
   osculate bench narrow                                    what a contact costs on this machine
 
 `osculate COMMAND --help` explains a command and the files it reads.
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
   osculate::app::add_shape(program);
   osculate::app::add_review(program);
   osculate::app::add_validate(program);
+  osculate::app::add_study(program);
   osculate::app::add_bench(program);
   try {
     program.parse(argc, argv);

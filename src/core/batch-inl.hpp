@@ -1,7 +1,8 @@
 // Scalar or batch: one formula, two number types.
 // A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
-// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, any, all. Highway includes it once per
-// instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its own.
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes
+// it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its
+// own.
 #if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_CORE_BATCH_INL
 #undef OSCULATE_CORE_BATCH_INL
@@ -136,6 +137,12 @@ HWY_INLINE Batch log(Batch a) {
 HWY_INLINE Batch exp(Batch a) {
   return Batch(hn::Exp(Tag(), a.v));
 }
+HWY_INLINE Batch sin(Batch a) {
+  return Batch(hn::Sin(Tag(), a.v));
+}
+HWY_INLINE Batch cos(Batch a) {
+  return Batch(hn::Cos(Tag(), a.v));
+}
 HWY_INLINE Batch floor(Batch a) {
   return Batch(hn::Floor(a.v));
 }
@@ -209,7 +216,8 @@ template <>
 HWY_INLINE Batch load<Batch>(const double* from, std::size_t count) {
   if (count >= lanes<Batch>()) return Batch(hn::LoadU(Tag(), from));
   HWY_ALIGN double padded[lanes<Batch>()];
-  for (std::size_t i = 0; i < lanes<Batch>(); ++i) padded[i] = from[i < count ? i : count - 1];
+  double last = from[0];
+  for (std::size_t i = 0; i < lanes<Batch>(); ++i) padded[i] = last = i < count ? from[i] : last;
   return Batch(hn::Load(Tag(), padded));
 }
 

@@ -234,14 +234,15 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int m
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
     Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
     const Real moved = squared_size(pair, step);
-    const MaskType<Real> solved =
-        (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
-        (dot(step.offset, step.offset) < square(Real(16.0) * pair.round_off));
+    const MaskType<Real> solved = (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
+                                  (dot(step.offset, step.offset) < square(Real(16.0) * pair.round_off));
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
+    // Parallel normals have no tangential mismatch either.
+    const MaskType<Real> opposed = dot(jet_1.normal, jet_2.normal) < Real(0.0);
     const MaskType<Real> stalled = (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
     const MaskType<Real> arrived =
-        ((moved < Real(small_step * small_step)) | solved | stalled) & step.descends;
+        ((moved < Real(small_step * small_step)) | solved | stalled) & step.descends & opposed;
     last_move = moved;
     if (i == 0) {
       answer.touch = next;
@@ -285,7 +286,7 @@ constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
 /// `lifts` answers from a guess of the point, `supports` from the normal.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
 HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V3<Real> direction, const Effort& effort,
-                               Real& overlap) {
+                                 Real& overlap) {
   const Real one(1.0);
   Real radius(longest_step);
   auto jet_1 = supports.support_1(direction);

@@ -97,7 +97,7 @@ struct ImplicitParticle {
 
 template <class Real, class Get>
 HWY_INLINE void read_numbers(const Jobs& jobs, const Get& shape_of, SuperquadricNumbers<Real>& numbers) {
-  const auto each = [&](const auto& get) {
+  const auto each = [&](const auto& get) HWY_ATTR {
     return gather<Real>(jobs, [&](const PairJob& job) { return get(superquadric_of(shape_of(job))); });
   };
   numbers.half_axes = {each([](const Superquadric& s) { return s.half_axes.x(); }),
@@ -183,6 +183,9 @@ HWY_INLINE Touch<Real> read_touch(const Jobs& jobs, const Placement<Real>& place
 /// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
 constexpr double flat_curvature = 1e-9;
 
+/// Below this (curvature times length) a number only stands for the zero curvature in the middle of a face.
+constexpr double vanishing_curvature = 1e-30;
+
 inline bool is_finite(const ContactGeometry& contact) {
   return contact.normal.allFinite() && std::isfinite(contact.overlap) && contact.on_1.allFinite() &&
          contact.on_2.allFinite() && std::isfinite(contact.curvature_1.max) && std::isfinite(contact.curvature_2.max);
@@ -199,10 +202,17 @@ HWY_NOINLINE void write_answer(const Jobs& jobs, const Placement<Real>& placemen
                                const Real& length, const Answer<Real>& answer, std::uint64_t ambiguous,
                                std::uint64_t wanted) {
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  const auto in_world = [&](const V2<Real>& t) { return placement.frame.apply(lift(answer.basis, t)); };
-  const Eigen2<Real> first = eigen(answer.shape_1), second = eigen(answer.shape_2);
-  const Eigen2<Real> relative = eigen(answer.shape_1 + answer.shape_2);
-  const auto radius = [&](const Real& curvature) { return select(curvature > zero, one / curvature, infinity); };
+  const auto in_world = [&](const V2<Real>& t) HWY_ATTR { return placement.frame.apply(lift(answer.basis, t)); };
+  const Real vanishing = Real(vanishing_curvature) / length;
+  const auto principal = [&](const Sym2<Real>& shape) HWY_ATTR {
+    const Eigen2<Real> curvature = eigen(shape);
+    return Eigen2<Real>{select(abs(curvature.max) > vanishing, curvature.max, zero),
+                        select(abs(curvature.min) > vanishing, curvature.min, zero), curvature.direction};
+  };
+  const Eigen2<Real> first = principal(answer.shape_1), second = principal(answer.shape_2);
+  const Eigen2<Real> relative = principal(answer.shape_1 + answer.shape_2);
+  const auto radius = [&](const Real& curvature)
+                          HWY_ATTR { return select(curvature > zero, one / curvature, infinity); };
   const Touch<Real>& touch = answer.touch;
   const Lanes3<Real> normal(placement.frame.apply(answer.normal));
   const Lanes3<Real> on_1(placement.frame.apply(touch.point_1) + placement.origin);
@@ -219,8 +229,8 @@ HWY_NOINLINE void write_answer(const Jobs& jobs, const Placement<Real>& placemen
     if (!has(wanted, i)) continue;
     ContactGeometry& contact = *jobs[i].contact;
     contact.status = has(ambiguous, i)  ? ContactStatus::ambiguous
-                     : has(flat, i)     ? ContactStatus::flat
                      : overlap[i] < 0.0 ? ContactStatus::separated
+                     : has(flat, i)     ? ContactStatus::flat
                                         : ContactStatus::touching;
     contact.normal = normal[i];
     contact.overlap = overlap[i];

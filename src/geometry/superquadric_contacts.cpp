@@ -179,7 +179,7 @@ constexpr double flat_curvature = 1e-9;
 
 template <class Real>
 HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
-                             ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
+                               ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
   const auto& pair = problem;
@@ -236,8 +236,8 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
 /// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
 template <class Real>
 HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
-                                ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
-                                ContactCaches& caches, const Rows& rows) {
+                                  ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
+                                  ContactCaches& caches, const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction);
   auto& columns = contacts.columns;
   write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
@@ -414,8 +414,12 @@ inline bool is_certainly_global(const SuperquadricPairs& pairs, double overlap, 
   return overlap <= radii;
 }
 
-inline Vec3 vec3(const V3<double>& v) { return {v.x, v.y, v.z}; }
-inline V3<double> v3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 vec3(const V3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+inline V3<double> v3(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across.
 /// A second minimum as shallow as the first within round-off makes the contact ambiguous.

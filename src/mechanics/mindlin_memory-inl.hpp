@@ -1,0 +1,343 @@
+// Springs of a tangential contact over Real (double or Batch): one step of many contacts at once, without branches that
+// depend on a single one of them.
+#if defined(OSCULATE_MECHANICS_MINDLIN_MEMORY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
+#undef OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
+#else
+#define OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
+#endif
+
+#include <limits>
+
+#include "core/vector-inl.hpp"
+#include "osculate/mechanics/mindlin_memory.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace osculate {
+namespace HWY_NAMESPACE {
+
+/// Deviations from a straight line below this, relative to the sliding deflection, are rounding.
+inline constexpr double straight = 1e-14;
+/// Points nearer than this share of the overlap are one.
+inline constexpr double nearest = 1e-15;
+
+/// A spring by the root of its depth, which is what forces and energies are integrals over.
+template <class Real>
+struct LayerOf {
+  Real root, x, y;
+
+  HWY_INLINE Real depth() const { return root * root; }
+};
+template <class Real>
+HWY_INLINE LayerOf<Real> select(MaskType<Real> condition, const LayerOf<Real>& yes, const LayerOf<Real>& no) {
+  return {select(condition, yes.root, no.root), select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
+}
+/// The point of the line between two at a share of its depth.
+template <class Real>
+HWY_INLINE LayerOf<Real> between(const LayerOf<Real>& a, const LayerOf<Real>& b, const Real& t) {
+  const Real depth = fma(t, b.depth() - a.depth(), a.depth());
+  return {sqrt(max(depth, Real(0.0))), fma(t, b.x - a.x, a.x), fma(t, b.y - a.y, a.y)};
+}
+
+/// The polyline of each contact. Points from a contact's `count` on are its rim, where s = 0.
+template <class Real>
+struct SpringsOf {
+  static constexpr int room = mindlin::layers + 3;
+  LayerOf<Real> at[room];
+  Real rim_root, count;
+  int most;  ///< the largest count
+
+  HWY_INLINE LayerOf<Real> rim() const { return {rim_root, Real(0.0), Real(0.0)}; }
+};
+
+template <class Real>
+struct ConeOf {
+  Real overlap, rim_root, friction;
+
+  HWY_INLINE Real radius(const LayerOf<Real>& layer) const { return friction * (overlap - layer.depth()); }
+  HWY_INLINE MaskType<Real> slides(const LayerOf<Real>& layer) const {
+    return fma(layer.x, layer.x, layer.y * layer.y) > square(radius(layer));
+  }
+  HWY_INLINE MaskType<Real> at_rim(const LayerOf<Real>& layer) const { return layer.root >= rim_root; }
+  HWY_INLINE LayerOf<Real> projected(const LayerOf<Real>& layer) const {
+    const Real r = radius(layer), size = fma(layer.x, layer.x, layer.y * layer.y);
+    const MaskType<Real> out = size > r * r;
+    if (!any(out)) return layer;
+    const Real share = select(out, r / sqrt(select(out, size, Real(1.0))), Real(1.0));
+    return {layer.root, layer.x * share, layer.y * share};
+  }
+  /// Where the line from a spring that sticks to one that slides leaves the cone; the second itself if it sticks too.
+  HWY_INLINE LayerOf<Real> crossing(const LayerOf<Real>& sticks, const LayerOf<Real>& slips) const {
+    const Real zero(0.0), one(1.0);
+    const Real drop = friction * (slips.depth() - sticks.depth()), r = radius(sticks);
+    const Real dx = slips.x - sticks.x, dy = slips.y - sticks.y;
+    const Real A = dx * dx + dy * dy - drop * drop;
+    const Real B = sticks.x * dx + sticks.y * dy + r * drop;
+    const Real C = min(sticks.x * sticks.x + sticks.y * sticks.y - r * r, zero);
+    // B² − AC, written so that small deflections keep their digits.
+    const Real px = r * dx + drop * sticks.x, py = r * dy + drop * sticks.y, twist = sticks.x * dy - sticks.y * dx;
+    const Real root = sqrt(max(px * px + py * py - twist * twist, zero));
+    const MaskType<Real> forward = B > zero;
+    const Real divisor = select(forward, B + root, A);
+    const MaskType<Real> sound = divisor > zero;
+    const Real t = select(sound, select(forward, -C, root - B) / select(sound, divisor, one), zero);
+    return select(slides(slips), between(sticks, slips, max(zero, min(t, one))), slips);
+  }
+};
+
+template <class Real>
+struct PlanarOf {
+  Real x, y;
+};
+
+/// ∫ η^{−1/2} s_x², s_y² dη along a straight piece: a polynomial of degree 4 in √η, for which three Gauss points are
+/// exact.
+template <class Real>
+HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
+  static constexpr double node = 0.7745966692414834;  // √(3/5)
+  const Real width = b.root - a.root;
+  const Real skew = Real(0.5) * width / (b.root + a.root);
+  PlanarOf<Real> total{Real(0.0), Real(0.0)};
+  const auto gauss = [&](double place, double weight) HWY_ATTR {
+    // The depth's share of the way where √η is at `place` of its own, in −1 … 1.
+    const Real t = Real(0.5 * (1.0 + place)) * fma(Real(place - 1.0), skew, Real(1.0));
+    const Real x = fma(t, b.x - a.x, a.x), y = fma(t, b.y - a.y, a.y);
+    total.x = fma(Real(weight) * x, x, total.x);
+    total.y = fma(Real(weight) * y, y, total.y);
+  };
+  gauss(-node, 5.0 / 9.0);
+  gauss(0.0, 8.0 / 9.0);
+  gauss(node, 5.0 / 9.0);
+  return {width * total.x, width * total.y};
+}
+
+/// The same over the whole polyline. @pre overlap > 0 wherever the result is used
+template <class Real>
+HWY_INLINE PlanarOf<Real> squared(const SpringsOf<Real>& line) {
+  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
+  for (int i = 0; i < line.most; ++i) {
+    const PlanarOf<Real> piece = squared(line.at[i], i + 1 < line.most ? line.at[i + 1] : line.rim());
+    sum.x += piece.x;
+    sum.y += piece.y;
+  }
+  return sum;
+}
+
+/// Where a contact holds more than `layers` points, leaves out the one that bends the line least, weighed by the
+/// stretch it bends. Points whose loss surely gives energy away, their chord lying between them and zero, go first; if
+/// energy rises all the same, the component shrinks until it does not: forgetting must not create energy.
+template <class Real>
+HWY_NOINLINE void forget_one(SpringsOf<Real>& line) {
+  static constexpr double reluctance = 4.0;
+  const Real zero(0.0), one(1.0);
+  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+  const LayerOf<Real> rim = line.rim();
+  LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
+  Real least(1.0), smallest(std::numeric_limits<double>::infinity());
+  MaskType<Real> least_gives = zero > one;
+  for (int i = 1; i < line.most; ++i) {
+    const LayerOf<Real>&a = line.at[i - 1], &at = line.at[i];
+    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
+    const Real left = at.depth() - a.depth(), right = b.depth() - at.depth(), stretch = left + right;
+    const Real bend_x = at.x * stretch - a.x * right - b.x * left;
+    const Real bend_y = at.y * stretch - a.y * right - b.y * left;
+    const MaskType<Real> gives =
+        (bend_x * a.x >= zero) & (bend_x * b.x >= zero) & (bend_y * a.y >= zero) & (bend_y * b.y >= zero);
+    const MaskType<Real> real = left * right > zero;
+    const Real cost =
+        (abs(bend_x) + abs(bend_y)) * stretch / select(real, left * right, one) * select(gives, one, Real(reluctance));
+    const MaskType<Real> better = real & (cost < smallest);
+    smallest = select(better, cost, smallest);
+    least = select(better, Real(double(i)), least);
+    least_gives = select(better, gives, least_gives);
+    before = select(better, a, before);
+    point = select(better, at, point);
+    after = select(better, b, after);
+  }
+  PlanarOf<Real> rise{zero, zero};
+  const MaskType<Real> doubtful = over & !least_gives;
+  if (any(doubtful)) {
+    const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
+    rise = {select(doubtful, chord.x - first.x - second.x, zero), select(doubtful, chord.y - first.y - second.y, zero)};
+  }
+  for (int i = 1; i < line.most; ++i) {
+    const MaskType<Real> moves = over & (Real(double(i)) >= least);
+    line.at[i] = select(moves, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
+  }
+  line.count = select(over, line.count - one, line.count);
+  if (!any((rise.x > zero) | (rise.y > zero))) return;
+  const PlanarOf<Real> total = squared(line);
+  const auto shrink = [&](const Real& more, const Real& energy) HWY_ATTR {
+    const MaskType<Real> needed = more > zero;
+    return select(needed, sqrt(max(one - more / select(needed, energy, one), zero)), one);
+  };
+  const Real scale_x = shrink(rise.x, total.x), scale_y = shrink(rise.y, total.y);
+  for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
+}
+
+HWY_INLINE int largest(double count) {
+  return static_cast<int>(count);
+}
+HWY_INLINE int largest(Batch count) {
+  return static_cast<int>(hn::GetLane(hn::MaxOfLanes(Tag(), count.v)));
+}
+
+/// One step, see mindlin::advance. @pre overlap > 0
+template <class Real>
+HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift, const Real& friction) {
+  constexpr int room = SpringsOf<Real>::room;
+  const Real zero(0.0), one(1.0);
+  const int last = line.most;  // the place of the old rim
+  const Real rim_root = sqrt(overlap);
+  const ConeOf<Real> cone{overlap, rim_root, friction};
+
+  // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
+  LayerOf<Real> trial[mindlin::layers + 1];
+  for (int i = 0; i < last; ++i) trial[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
+  trial[last] = {line.rim_root, shift.x, shift.y};
+  LayerOf<Real> inner = trial[0], outer = trial[last];
+  for (int i = 0; i < last; ++i) {
+    const MaskType<Real> cut = (!cone.at_rim(trial[i])) & cone.at_rim(trial[i + 1]);
+    inner = select(cut, trial[i], inner);
+    outer = select(cut, trial[i + 1], outer);
+  }
+  const MaskType<Real> grows = rim_root > line.rim_root;
+  const Real length = outer.depth() - inner.depth();
+  const MaskType<Real> some = length > zero;
+  const Real cut_at = (overlap - inner.depth()) / select(some, length, one);
+  const LayerOf<Real> end{rim_root, select(grows, zero, fma(cut_at, outer.x - inner.x, inner.x)),
+                          select(grows, zero, fma(cut_at, outer.y - inner.y, inner.y))};
+
+  // From the rim inwards: which springs belong to the slide at the rim.
+  MaskType<Real> tail[mindlin::layers + 1];
+  LayerOf<Real> held[mindlin::layers + 1];
+  LayerOf<Real> sticks = trial[0], slips = end;
+  MaskType<Real> inside = zero < one;
+  for (int i = last; i >= 0; --i) {
+    const MaskType<Real> beyond = cone.at_rim(trial[i]);
+    const LayerOf<Real> point = select(beyond, end, trial[i]);
+    tail[i] = inside & (beyond | cone.slides(point));
+    const MaskType<Real> front = inside & !tail[i];
+    sticks = select(front, point, sticks);
+    slips = select(front, i == last ? end : trial[i + 1], slips);
+    inside = tail[i];
+    trial[i] = point;
+    held[i] = cone.projected(point);
+  }
+  const MaskType<Real> all_slide = inside;
+  const LayerOf<Real> front = cone.crossing(sticks, slips);
+
+  line.rim_root = rim_root;
+  const LayerOf<Real> rim = line.rim();
+  LayerOf<Real> next[room];
+  next[0] = held[0];
+  for (int i = 1; i <= last; ++i)
+    next[i] = select(all_slide | !tail[i], held[i], select(tail[i - 1], held[i - 1], front));
+  next[last + 1] = select(all_slide, rim, select(tail[last], held[last], front));
+  next[last + 2] = rim;
+
+  // Where the slide turns, the outer springs turn first: the outermost piece is halved until it is an eighth.
+  const LayerOf<Real> foot = select(all_slide, trial[0], front);
+  const Real sliding = friction * overlap;
+  const MaskType<Real> turns = abs(foot.x * shift.y - foot.y * shift.x) > Real(straight) * sliding * sliding;
+  if (any(turns)) {
+    LayerOf<Real> last_trial = trial[0], last_next = next[0];
+    Real points(1.0);
+    for (int i = 1; i <= last; ++i) last_trial = select(cone.at_rim(trial[i]), last_trial, trial[i]);
+    for (int i = 1; i <= last + 1; ++i) {
+      const MaskType<Real> is_rim = cone.at_rim(next[i]);
+      last_next = select(is_rim, last_next, next[i]);
+      points = select(is_rim, points, points + one);
+    }
+    const MaskType<Real> halve = turns & (all_slide | cone.slides(slips)) & (points < Real(double(mindlin::layers))) &
+                                 (overlap - last_next.depth() > Real(0.125) * (overlap - foot.depth()));
+    const Real share =
+        (Real(0.5) * (last_next.depth() + overlap) - last_trial.depth()) / (overlap - last_trial.depth());
+    const LayerOf<Real> middle = cone.projected(between(last_trial, end, share));
+    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
+  }
+
+  // Points on a straight line, or on top of each other, say nothing.
+  const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
+  LayerOf<Real> previous = next[0];
+  Real count(1.0), way[room];  // how many idle points stand before each
+  way[0] = zero;
+  for (int i = 1; i <= last + 2; ++i) {
+    const LayerOf<Real>& point = next[i];
+    const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
+    const Real left = point.depth() - previous.depth(), right = following.depth() - point.depth();
+    const Real stretch = left + right;
+    const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
+    const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
+    const MaskType<Real> idle = (bend_x <= rounding * stretch) & (bend_y <= rounding * stretch) & (right > close);
+    const MaskType<Real> keep = !(idle | (left <= close) | (overlap - point.depth() <= close));
+    way[i] = select(keep, Real(double(i)) - count, zero);
+    previous = select(keep, point, previous);
+    count = select(keep, count + one, count);
+  }
+  // The others move up over them: by one place where their way is odd, then by two where half of it is, and so on.
+  for (int step = 1; step < room; step *= 2) {
+    Real longest(0.0);
+    for (int i = 0; i <= last + 2; ++i) {
+      const Real half = floor(Real(0.5) * way[i]);
+      const MaskType<Real> leaves = way[i] > half + half;
+      if (i + step <= last + 2) {
+        const Real other = way[i + step], other_half = floor(Real(0.5) * other);
+        const MaskType<Real> comes = other > other_half + other_half;
+        next[i] = select(comes, next[i + step], next[i]);
+        way[i] = select(comes, other_half, select(leaves, zero, half));
+      } else {
+        way[i] = select(leaves, zero, half);
+      }
+      longest = max(longest, way[i]);
+    }
+    if (!any(longest > zero)) break;
+  }
+  line.count = count;
+  line.most = largest(count);
+  for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
+  while (line.most > mindlin::layers) {
+    forget_one(line);
+    line.most = largest(line.count);
+  }
+}
+
+/// ∫ F' (−s') dη/k; on a straight piece (q_2³ − q_1³)/(q_2² − q_1²) of q = √η is the mean of F'/k.
+template <class Real>
+HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
+  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
+  for (int i = 0; i < line.most; ++i) {
+    const LayerOf<Real>& a = line.at[i];
+    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
+    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
+    sum.x += mean * (a.x - b.x);
+    sum.y += mean * (a.y - b.y);
+  }
+  return sum;
+}
+
+/// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
+/// to the new one by the shortest way, then by the spin, and keeps the springs with it.
+template <class Real>
+HWY_INLINE void carry(SpringsOf<Real>& line, const V3<Real>& old_normal, const V3<Real>& old_axis,
+                      const V3<Real>& normal, const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,
+                      const Real& cos_spin) {
+  const Real share = dot(old_axis, normal) / max(Real(1.0) + dot(old_normal, normal), Real(1e-30));
+  const V3<Real> axis = old_axis - share * (old_normal + normal);
+  const Real along = dot(axis, major), across = dot(axis, minor);
+  Real c = cos_spin * along - sin_spin * across, s = sin_spin * along + cos_spin * across;
+  // Rounding must not add up: one Newton step to unit length.
+  const Real unit = Real(1.5) - Real(0.5) * (c * c + s * s);
+  c *= unit, s *= unit;
+  for (int i = 0; i < line.most; ++i) {
+    const Real x = line.at[i].x, y = line.at[i].y;
+    line.at[i].x = c * x - s * y;
+    line.at[i].y = s * x + c * y;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace osculate
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard
