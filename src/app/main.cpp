@@ -1,5 +1,4 @@
-#include <fmt/core.h>
-
+#include <cstdio>
 #include <exception>
 
 #include "app/commands.hpp"
@@ -30,9 +29,7 @@ constexpr const char* first_steps =
 `osculate COMMAND --help` explains a command and the files it reads.
 Exit codes: 0 done, 1 a comparison missed its bar, 2 wrong input (the message says where), 3 an internal error.)";
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App program{introduction};
   program.name("osculate");
   program.footer(first_steps);
@@ -47,12 +44,20 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error);
-  } catch (const osculate::InputError& error) {
-    fmt::print(stderr, "osculate: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "osculate: internal error: {}\n", error.what());
-    return 3;
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const osculate::InputError& error) {
+    std::fprintf(stderr, "osculate: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "osculate: internal error: %s\n", error.what());
+    return 3;
+  }
 }

@@ -56,7 +56,7 @@ struct PicturePoint {
 
 struct PictureLabel {
   Vec3 position = Vec3::Zero();
-  std::string text = "";
+  std::string text = {};
   Colour colour = palette::black;
   double right = 10.0;  ///< how far the text stands from the position [px]
   double up = 6.0;
@@ -65,7 +65,7 @@ struct PictureLabel {
 /// Colours of scalars: `lower` and `upper` are the ends of the map, values beyond keep the end's colour and the bar
 /// says so by a pointed end. The scalars are in the unit of the title.
 struct ColourBar {
-  std::string title = "";  ///< with its unit, e.g. "mean curvature (1/mm)"
+  std::string title = {};  ///< with its unit, e.g. "mean curvature (1/mm)"
   double lower = 0.0;
   double upper = 1.0;
 };
@@ -79,7 +79,7 @@ struct PictureView {
 };
 
 struct Picture {
-  std::string title = "";
+  std::string title = {};
   std::vector<std::string> notes = {};  ///< lines below the title
   std::vector<PictureBody> bodies = {};
   std::vector<PictureLine> lines = {};

@@ -31,7 +31,7 @@ struct LengthKey {
   }
 
   Vec3 half_sizes(std::string_view key) const {
-    const Vec3 value = table.vector(key, length(), Range::positive(), unit);
+    Vec3 value = table.vector(key, length(), Range::positive(), unit);
     for (const double half : value) require_particle(key, 2.0 * half);
     return value;
   }
