@@ -32,6 +32,14 @@ std::string number(double value) {
   return buffer;
 }
 
+/// " name" of each: the end of "one of".
+template <class List, class Name>
+std::string listed(const List& list, const Name& name) {
+  std::string text = "one of";
+  for (const auto& item : list) text.append(1, ' ').append(name(item));
+  return text;
+}
+
 std::string quoted(std::string_view text) {
   std::string result(1, '"');
   result += text;
@@ -40,9 +48,8 @@ std::string quoted(std::string_view text) {
 
 const laws::Law& known(std::string_view name) {
   if (const laws::Law* law = find(name)) return *law;
-  std::string expected = "one of";
-  for (const laws::Law* law : registry) expected += " " + std::string(law->description.name);
-  throw InputError(place, "a law " + quoted(name), expected);
+  throw InputError(place, "a law " + quoted(name),
+                   listed(registry, [](const laws::Law* law) { return law->description.name; }));
 }
 
 /// The choice with every parameter in it.
@@ -63,9 +70,10 @@ ChosenLaw completed(const ChosenLaw& chosen, const LawDescription& law) {
   }
   for (const auto& [name, value] : chosen.parameters) {
     if (result.parameters.contains(name)) continue;
-    std::string expected = law.parameters.empty() ? "none: the law has no parameters" : "one of";
-    for (const LawParameter& parameter : law.parameters) expected += " " + std::string(parameter.name);
-    throw InputError(where, "a parameter " + quoted(name), expected);
+    throw InputError(where, "a parameter " + quoted(name),
+                     law.parameters.empty()
+                         ? "none: the law has no parameters"
+                         : listed(law.parameters, [](const LawParameter& parameter) { return parameter.name; }));
   }
   return result;
 }

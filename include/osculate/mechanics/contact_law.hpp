@@ -28,8 +28,8 @@ struct LawInput {
   std::span<const double> reduced_mass = {};      ///< m1 m2/(m1 + m2) [kg], optional
   std::span<const double> effective_radius = {};  ///< R1 R2/(R1 + R2) of the volume-equivalent spheres [m], optional
   std::span<const double> smallest_radius = {};   ///< least principal radius of both bodies [m], optional: where it is
-                                                 ///< given, contacts too large for a half-space theory are said [FO57]
-  double time_step = 0.0;  ///< since the last evaluation [s]
+                                                  ///< given, contacts too large for a half-space theory are said [FO57]
+  double time_step = 0.0;                         ///< since the last evaluation [s]
 
   LawInput part(std::size_t start, std::size_t count) const;
 };
