@@ -169,12 +169,15 @@ enum In : Index { R_i, R_j, overlap, smallest_radius, normal, major_axis = 7, ve
 void fill_law_input(PairChunk& chunk, const World& world, const Kinematics& kinematics, ChunkScratch& scratch) {
   const Index size = chunk.slots.size();
   const Bodies& bodies = *kinematics.bodies;
+  const double reach = world.reach[index_of(chunk.group.law)];
   scratch.law_in.resize(size);
   double* in[19];
   for (Index k = 0; k < 19; ++k) in[k] = scratch.law_in[k];
   const ContactColumns& contacts = scratch.contacts;
   for (Index slot = 0; slot < size; ++slot) {
-    if (scratch.row[slot] < 0) {
+    const bool in_reach = scratch.row[slot] >= 0 && contacts.columns[3][index_of(scratch.row[slot])] > -reach;
+    if (!in_reach) {
+      // A gap that was proved but not resolved has neither points nor curvatures, an unused slot nothing at all.
       for (double* column : in) column[slot] = 0.0;
       in[R_i][slot] = in[R_j][slot] = in[smallest_radius][slot] = in[normal][slot] = in[major_axis + 1][slot] = 1.0;
       in[overlap][slot] = -1.0;

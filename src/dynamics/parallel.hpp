@@ -1,17 +1,24 @@
 #pragma once
 // The same work on many things by a number of threads. Which thread does what is left open: the work must not tell.
 
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace osculate {
 
 class Threads {
  public:
-  explicit Threads(int count) : count_(count), arena_(count) {}
+  explicit Threads(int count) : count_(count), arena_(count) {
+    // More threads than processors, where someone asks for them.
+    if (count > oneapi::tbb::info::default_concurrency())
+      allowed_.emplace(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+  }
 
   int count() const { return count_; }
 
@@ -34,6 +41,7 @@ class Threads {
 
  private:
   int count_;
+  std::optional<oneapi::tbb::global_control> allowed_;
   oneapi::tbb::task_arena arena_;
 };
 

@@ -123,7 +123,9 @@ void require_laws(const World& world) {
 World make_world(const Setup& setup) {
   check_numbers(setup);
   check_materials(setup);
-  World world{.setup = setup, .shapes = {}, .law_of = laws_of(setup), .reach = {}, .least_half_width = 0, .skin = 0};
+  World world;
+  world.setup = setup;
+  world.law_of = laws_of(setup);
   for (std::size_t i = 0; i < setup.shapes.size(); ++i)
     at_place("shape " + std::to_string(i), [&] { world.shapes.push_back(body_shape(setup.shapes[i])); });
   for (std::size_t i = 0; i < setup.motions.size(); ++i)
