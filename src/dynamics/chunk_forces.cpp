@@ -257,7 +257,7 @@ void apply_law(PairChunk& chunk, const World& world, const Kinematics& kinematic
                          .viscous_loss = column(viscous),
                          .friction_loss = column(friction),
                          .hysteresis_loss = column(hysteresis)};
-  law.evaluate(input, {slots.memory.data()->lanes, slots.memory.size() * law_lanes}, output);
+  law.evaluate(input, doubles_of(slots.memory), output);
 
   chunk.contacts = 0;
   chunk.stored_normal = chunk.stored_tangential = chunk.stiffest = 0.0;
