@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/scenes.hpp"
+#include "osculate/geometry/common_normal.hpp"
 
 using namespace osculate;
 
@@ -43,8 +44,13 @@ Setup oblique(const LawChoice& law, const Shape& shape, double speed, double tim
   const double reach = bounding_radius(shape);
   BodyStart one = at(0, {0.1 * reach, 0.0, 0.0}, Quat(0.9, 0.2, -0.3, 0.1).normalized());
   BodyStart two = at(1, {-0.2 * reach, 0.3 * reach, 2.0 * reach}, Quat(0.4, -0.5, 0.2, 0.7).normalized());
-  two.velocity = {0.2 * speed, 0.1 * speed, -speed};
+  two.velocity = {0.1 * speed, -0.1 * speed, -speed};
   one.angular_velocity = speed / reach * Vec3(0.2, 0.1, -0.1);
+  // Up to a few steps before they touch.
+  for (int i = 0; i < 60; ++i) {
+    const double gap = -common_normal(shape, one.pose, shape, two.pose).overlap - 3.0 * two.velocity.norm() * time_step;
+    two.pose.position += gap * two.velocity.normalized();
+  }
   setup.bodies = {one, two};
   return setup;
 }
@@ -61,7 +67,7 @@ double step_of(const Shape& shape, double speed, int steps) {
 
 /// Runs until the bodies have touched and parted.
 void collide(Simulation& simulation) {
-  constexpr int most = 5'000'000;
+  constexpr int most = 10'000;
   bool touched = false;
   for (int i = 0; i < most; ++i) {
     simulation.advance(1);
@@ -95,24 +101,25 @@ TEST_CASE("An elastic frictionless impact gives back its energy to 1e-6 at 50 st
   Simulation simulation(oblique(elastic_law(), shape, speed, step_of(shape, speed, 50)));
   const double before = simulation.energy().mechanical();
   collide(simulation);
-  CHECK(simulation.energy().mechanical() == Approx(before).epsilon(1e-6));
+  CHECK(std::fabs(simulation.energy().mechanical() / before - 1.0) < 1e-6);
 }
 
-TEST_CASE("Positions after an impact converge to second order in the time step") {
+TEST_CASE("The motion in an impact converges to second order in the time step") {
   constexpr double speed = 0.05;
   const Shape shape = candy();
   const double step = step_of(shape, speed, 50);
-  const auto after = [&](int refinement) {
-    Setup setup = oblique(elastic_law(), shape, speed, step / refinement);
-    setup.bodies[1].pose.position.z() = 4.5e-3;
+  const auto velocity_after = [&](int refinement) {
+    Setup setup = oblique(elastic_law(), shape, speed, step);
+    setup.time_step = step / refinement;
     Simulation simulation(setup);
-    simulation.advance(static_cast<std::uint64_t>(8000 * refinement));
-    REQUIRE(simulation.counts().contacts == 0);
-    REQUIRE(simulation.bodies().velocity[0].norm() > 0.1 * speed);
+    simulation.advance(static_cast<std::uint64_t>(20 * refinement));
+    REQUIRE(simulation.counts().contacts == 1);
+    REQUIRE(simulation.bodies().velocity[0].norm() > 0.05 * speed);
     return simulation.bodies().velocity[0];
   };
-  const Vec3 reference = after(16);
-  const double coarse = (after(1) - reference).norm(), fine = (after(4) - reference).norm();
+  const Vec3 reference = velocity_after(64);
+  const double coarse = (velocity_after(2) - reference).norm(), fine = (velocity_after(8) - reference).norm();
+  CHECK(coarse < 1e-3 * speed);
   CHECK(std::log2(coarse / fine) / 2.0 == Approx(2.0).margin(0.3));
 }
 
