@@ -59,7 +59,7 @@ Figure figure12() {
                      .x = {.label = "peak F_{t}*/(μF_{n})", .scale = io::Scale::logarithmic},
                      .y = {.label = "ΔE/(μF_{n} sliding displacement)", .scale = io::Scale::logarithmic},
                      .curves = {}};
-  const auto amplitudes = by_factors(0.05, 0.999, 61);
+  const auto amplitudes = by_factors(0.05, 0.999, 201);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const mindlin::Contact contact = contact_of_case_1(angles[i]);
     const std::string name = fmt::format("θ = {:g}°", angles[i]);

@@ -64,7 +64,7 @@ Figure figure13() {
                      .curves = {}};
   for (const double coupling : {0.0, 0.3, 0.6}) {
     energies.curves.push_back(
-        curve(fmt::format("Θ = {:g}", coupling), by_factors(0.05, 0.999 / (1.0 + coupling), 61),
+        curve(fmt::format("Θ = {:g}", coupling), by_factors(0.05, 0.999 / (1.0 + coupling), 201),
               [&](double amplitude) { return mindlin::oblique_cycle_energy(oblique_of(coupling), amplitude); }));
   }
   const ElasticMaterial steel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};

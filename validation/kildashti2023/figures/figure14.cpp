@@ -78,7 +78,7 @@ io::Panel twisting_panel() {
                   .curves = {}};
   const twisting::Contact circle = twisting::contact(contact_ellipse(1.0, 1.0), 1.0, material, material, 0.3, 1.0);
   const double unit_angle = circle.limit / circle.stiffness;
-  for (const double ratio : {1.0, 5.0, 44.0}) {
+  for (const double ratio : {1.0, 2.0, 5.0}) {
     const twisting::Contact contact = twisting::contact(contact_ellipse(ratio, 1.0), 1.0, material, material, 0.3, 1.0);
     twisting::Memory memory{};
     io::Curve path{.name = fmt::format("R_{{i}}/R_{{j}} = {:g}", ratio), .x = {0.0}, .y = {0.0}};

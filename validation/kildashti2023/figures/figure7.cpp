@@ -13,9 +13,9 @@
 namespace osculate::validation::kildashti2023 {
 namespace {
 
-// Machined steel: χ β σ = 0.05, σ/β = 0.05.
+// Machined steel: χ β σ = 0.05, σ/β = 0.005.
 const double modulus = effective_modulus({210e9, 0.3}, {210e9, 0.3});
-constexpr greenwood_williamson::Roughness rough{.density = 2.5e9, .radius = 20e-6, .deviation = 1e-6};
+constexpr greenwood_williamson::Roughness rough{.density = 2.5e8, .radius = 200e-6, .deviation = 1e-6};
 constexpr double nominal_area = 1e-6;
 
 jeng_wang::Surface surface(double hardness) {
@@ -53,7 +53,7 @@ Figure figure7() {
   figure.caption = fmt::format(
       "Rough contact of Greenwood and Williamson (29)–(36) at a prescribed separation, and of elastic–plastic "
       "asperities "
-      "after Jeng and Wang (47)–(53). Steel on steel, Ê = {:.1f} GPa, χ = 2.5·10⁹ m⁻², asperity radius 20 µm, σ = 1 "
+      "after Jeng and Wang (47)–(53). Steel on steel, Ê = {:.1f} GPa, χ = 2.5·10⁸ m⁻², asperity radius 200 µm, σ = 1 "
       "µm; "
       "hardness as given. Inferred: that force and area are drawn over h; surface and hardness were chosen here.",
       modulus * 1e-9);
@@ -70,14 +70,12 @@ Figure figure7() {
                    .curves = {curve("elastic", apart, [&](double h) { return pressure_in_MPa(elastic(h).force); }),
                               curve("H = 6 GPa", apart, [&](double h) { return pressure_in_MPa(hard(h).force); }),
                               curve("H = 1.5 GPa", apart, [&](double h) { return pressure_in_MPa(soft(h).force); })}};
-  io::Panel regimes{.title = "Who carries the load, H = 1.5 GPa",
-                    .x = separation,
-                    .y = {.label = "share of the force"},
-                    .curves = {}};
+  io::Panel regimes{
+      .title = "Who carries the load, H = 6 GPa", .x = separation, .y = {.label = "share of the force"}, .curves = {}};
   for (const auto deformation :
        {jeng_wang::Deformation::elastic, jeng_wang::Deformation::elastic_plastic, jeng_wang::Deformation::plastic}) {
     regimes.curves.push_back(curve(fmt::format("{} asperities", jeng_wang::name(deformation)), apart, [&](double h) {
-      const jeng_wang::Patch patch = soft(h);
+      const jeng_wang::Patch patch = hard(h);
       return patch.force_by_regime[static_cast<std::size_t>(deformation)] / patch.force;
     }));
   }
