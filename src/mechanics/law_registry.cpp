@@ -17,8 +17,34 @@ namespace {
 constexpr const char* place = "contact law";
 
 /// Slot by slot, the usual choice first.
-const std::array registry{&laws::hertz,   &laws::hertz_sphere,   &laws::brilliantov, &laws::tsuji,
-                          &laws::mindlin, &laws::cundall_strack, &laws::di_renzo,    &laws::tsuji_tangential};
+const std::array registry{
+    &laws::hertz,
+    &laws::hertz_sphere,
+    &laws::linear,
+    &laws::walton_braun,
+    &laws::jkr,
+    &laws::dmt,
+    &laws::greenwood_williamson,
+    &laws::jamari_schipper,
+    &laws::brilliantov,
+    &laws::tsuji,
+    &laws::kuwabara_kono,
+    &laws::linear_dashpot,
+    &laws::dashpot,
+    &laws::mindlin,
+    &laws::cundall_strack,
+    &laws::di_renzo,
+    &laws::tsuji_tangential,
+    &laws::langston,
+    &laws::zheng,
+    &laws::walton_braun_friction,
+    &laws::sliding,
+    &laws::viscous_friction,
+    &laws::viscous_sliding,
+    &laws::twisting,
+    &laws::vermeulen_johnson,
+    &laws::kalker,
+};
 
 const laws::Law* find(std::string_view name) {
   const auto found =

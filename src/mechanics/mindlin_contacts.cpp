@@ -138,6 +138,11 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       remember(line.at[i].x, block.x[k]);
       remember(line.at[i].y, block.y[k]);
     }
+    const Mask opened = good & !pressed & (remembered(block.count) > zero);
+    if (any(opened)) {
+      for (auto* lanes_of : {&block.root, &block.x, &block.y})
+        for (auto& layer : *lanes_of) store(select(opened, zero, remembered(layer)), &layer[lane], lanes<Batch>());
+    }
     remember(line.count, block.count);
     remember(overlap, block.overlap);
     remember(normal.x, block.normal[0]), remember(normal.y, block.normal[1]), remember(normal.z, block.normal[2]);

@@ -15,6 +15,13 @@ inline void set_ellipse(Contact& contact, const ContactEllipse& ellipse, const h
   contact.axis_ratio = ellipse.axis_ratio;
 }
 
+/// The same for laws that have no contact ellipse of their own: the one of Hertz at this overlap.
+inline void set_ellipse(Contact& contact) {
+  const ContactEllipse ellipse = contact_ellipse(contact.R_i, contact.R_j);
+  constexpr double any_modulus = 1.0;  // the ellipse does not depend on it
+  set_ellipse(contact, ellipse, hertz::contact(ellipse, any_modulus, contact.overlap, contact.R_j));
+}
+
 /// Hertz's contact carries the load.
 inline void press_hertz(Contact& contact, double modulus) {
   contact.closed = contact.overlap > 0.0;
@@ -44,6 +51,26 @@ inline double friction_load(const Contact& contact) {
 inline double work(const Contact& contact, const TangentVector& before, const TangentVector& now) {
   return 0.5 * dot(before + now, contact.displacement());
 }
+
+/// The energy of a law that has no closed form for it: the work since the contact was made, kept beside it.
+inline constexpr std::size_t running_energy_memory = 3;
+struct RunningEnergy {
+  double overlap, force, stored;
+
+  static RunningEnergy read(const Memory& memory, std::size_t entry) {
+    return {memory[entry], memory[entry + 1], memory[entry + 2]};
+  }
+  void write(const Memory& memory, std::size_t entry) const {
+    memory[entry] = overlap, memory[entry + 1] = force, memory[entry + 2] = stored;
+  }
+  /// By the trapezoidal rule over the step. A contact just made came from a force of zero.
+  RunningEnergy next(const Contact& contact, bool was_closed) const {
+    const double before = was_closed ? force : 0.0;
+    const double way = was_closed ? contact.overlap - overlap : std::max(contact.rate, 0.0) * contact.time_step;
+    const double kept = was_closed ? stored : 0.0;
+    return {contact.overlap, contact.elastic, kept + 0.5 * (before + contact.elastic) * way};
+  }
+};
 
 inline constexpr LawParameter friction_parameter{
     .name = "friction", .symbol = "μ", .unit = "", .meaning = "friction coefficient"};
