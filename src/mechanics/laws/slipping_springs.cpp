@@ -42,7 +42,8 @@ double stored(const Model& model, double overlap, double load, const TangentVect
 /// The spring alone.
 TangentVector spring_force(const Model& model, double overlap, double load, const TangentVector& stretch) {
   hertzian_tangential::Memory memory{-1.0 * stretch};
-  return hertzian_tangential::langston(model, 0.0, 0.0, {.overlap = overlap, .normal_force = load, .displacement = {}, .velocity = {}}, memory);
+  return hertzian_tangential::langston(
+      model, 0.0, 0.0, {.overlap = overlap, .normal_force = load, .displacement = {}, .velocity = {}}, memory);
 }
 
 template <class Theory>
