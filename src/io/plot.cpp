@@ -17,8 +17,8 @@ namespace {
 
 // A panel and what surrounds it, in units of an SVG pixel.
 constexpr double panel_width = 560, panel_height = 400, title_height = 40;
-constexpr double left = 84, right = 22, bottom = 62, top_with_title = 38, top_without = 16;
-constexpr double axis_height = 54;  // its numbers and label
+constexpr double left = 84, right = 22, bottom = 68, top_with_title = 38, top_without = 16;
+constexpr double axis_height = 58;  // its numbers and label
 constexpr double font_size = 13, character_width = 7.6, line_height = 19, sample_width = 44;
 constexpr double png_scale = 2;
 
@@ -215,6 +215,8 @@ std::string script_of(const Plot& plot, Format format) {
                    "set terminal pngcairo enhanced size {},{} font 'DejaVu Sans,{}' linewidth {} pointscale {} "
                    "background '#ffffff'\n",
                    png_scale * width, png_scale * height, font_points(format), png_scale, png_scale);
+  // The SVG terminal stands labels a line further from the axis than cairo does.
+  if (format == Format::svg) script += "set xlabel offset 0,0.4\n";
   script +=
       "set border 3 lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset grid lt 1 lw 0.8 dt 1 lc rgb "
       "'#d0d5da'\n"
