@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/contact_edge.hpp"
 #include "geometry/pair_order.hpp"
 
 namespace osculate {
@@ -257,7 +258,7 @@ void apply_law(PairChunk& chunk, const World& world, const Kinematics& kinematic
                          .viscous_loss = column(viscous),
                          .friction_loss = column(friction),
                          .hysteresis_loss = column(hysteresis)};
-  law.evaluate(input, {slots.memory.data()->lanes, slots.memory.size() * law_lanes}, output);
+  law.evaluate(input, doubles_of(slots.memory), output);
 
   chunk.contacts = 0;
   chunk.stored_normal = chunk.stored_tangential = chunk.stiffest = 0.0;
@@ -281,7 +282,11 @@ void apply_law(PairChunk& chunk, const World& world, const Kinematics& kinematic
     chunk.stored_normal += out[stored_normal][slot];
     chunk.stored_tangential += out[stored_tangential][slot];
     chunk.stiffest = std::max(chunk.stiffest, out[stiffness][slot] / slots.reduced_mass[slot]);
-    slots.force[slot] = {out[force][slot], out[force + 1][slot], out[force + 2][slot]};
+    const Vec3 n(in[normal][slot], in[normal + 1][slot], in[normal + 2][slot]);
+    const Vec3 v(in[velocity][slot], in[velocity + 1][slot], in[velocity + 2][slot]);
+    const double edge = edge_force(in[overlap][slot], std::fabs(n.dot(v)) * kinematics.time_step,
+                                   out[stored_normal][slot], out[stiffness][slot]);
+    slots.force[slot] = Vec3(out[force][slot], out[force + 1][slot], out[force + 2][slot]) - edge * n;
     if (!slots.couple.empty()) slots.couple[slot] = {out[couple][slot], out[couple + 1][slot], out[couple + 2][slot]};
   }
 }

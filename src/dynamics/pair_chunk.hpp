@@ -26,6 +26,12 @@ struct alignas(64) MemoryLine {
   double lanes[law_lanes];
 };
 
+/// The memory as a contact law wants it.
+inline std::span<double> doubles_of(std::vector<MemoryLine>& memory) {
+  if (memory.empty()) return {};
+  return {memory.data()->lanes, memory.size() * law_lanes};
+}
+
 /// What went wrong with a pair in a step.
 enum class Fault : std::uint8_t { none, degenerate, not_converged, too_deep, law_refused };
 
