@@ -25,6 +25,7 @@ class Simulation::Engine {
   StepCounts counts() const;
   StageTimes times() const;
   std::size_t memory_bytes() const;
+  std::size_t contact_bytes() const;
   State state() const;
 
  private:

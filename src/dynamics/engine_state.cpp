@@ -256,17 +256,24 @@ State Simulation::Engine::state() const {
 }
 
 std::size_t Simulation::Engine::memory_bytes() const {
-  std::size_t sum = bytes(bodies_.shape) + bytes(bodies_.material) + bytes(bodies_.motion) + bytes(bodies_.position) +
-                    bytes(bodies_.orientation) + bytes(bodies_.velocity) + bytes(bodies_.angular_momentum) +
-                    bytes(bodies_.force) + bytes(bodies_.torque) + bytes(bodies_.mass) + bytes(bodies_.inertia) +
-                    bytes(kinematics_.records) + bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) +
-                    bytes(pairs_.first) + bytes(pairs_.incidences) + bytes(pairs_.chunks);
+  std::size_t sum = contact_bytes() + bytes(bodies_.shape) + bytes(bodies_.material) + bytes(bodies_.motion) +
+                    bytes(bodies_.position) + bytes(bodies_.orientation) + bytes(bodies_.velocity) +
+                    bytes(bodies_.angular_momentum) + bytes(bodies_.force) + bytes(bodies_.torque) +
+                    bytes(bodies_.mass) + bytes(bodies_.inertia) + bytes(kinematics_.records) +
+                    bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) + bytes(pairs_.first) +
+                    bytes(pairs_.incidences) + bytes(pairs_.chunks);
+  for (const PairChunk& chunk : pairs_.chunks) sum += bytes(chunk.far) + bytes(chunk.bodies) + bytes(chunk.wrenches);
+  return sum;
+}
+
+std::size_t Simulation::Engine::contact_bytes() const {
+  std::size_t sum = 0;
   for (const PairChunk& chunk : pairs_.chunks) {
     const Contacts& contacts = chunk.contacts;
-    sum += bytes(chunk.far) + bytes(chunk.bodies) + bytes(chunk.wrenches) + bytes(contacts.bodies) +
-           bytes(contacts.caches.states) + contacts.caches.states.capacity() * sizeof(CacheNumbers) +
-           bytes(contacts.memory) + bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) +
-           bytes(contacts.radius_cap) + bytes(contacts.force) + bytes(contacts.couple);
+    sum += bytes(contacts.bodies) + bytes(contacts.caches.states) +
+           contacts.caches.states.capacity() * sizeof(CacheNumbers) + bytes(contacts.memory) +
+           bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) + bytes(contacts.radius_cap) +
+           bytes(contacts.force) + bytes(contacts.couple);
   }
   return sum;
 }

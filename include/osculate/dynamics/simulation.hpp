@@ -86,7 +86,8 @@ class Simulation {
   EnergyLedger energy() const;
   StepCounts counts() const;
   StageTimes times() const;
-  std::size_t memory_bytes() const;  ///< of everything that grows with the number of bodies
+  std::size_t memory_bytes() const;   ///< of everything that grows with the number of bodies
+  std::size_t contact_bytes() const;  ///< of them, those that grow with the number of contacts
   State state() const;
 
  private:
