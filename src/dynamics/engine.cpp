@@ -248,12 +248,14 @@ EnergyLedger Simulation::Engine::energy() const {
   energy.viscous_loss = pairs_.viscous_loss;
   energy.friction_loss = pairs_.friction_loss;
   energy.hysteresis_loss = pairs_.hysteresis_loss;
+  energy.curvature_gain = pairs_.curvature_gain;
   for (const PairChunk& chunk : pairs_.chunks) {
     energy.stored_normal += chunk.stored_normal;
     energy.stored_tangential += chunk.stored_tangential;
     energy.viscous_loss += chunk.viscous_loss;
     energy.friction_loss += chunk.friction_loss;
     energy.hysteresis_loss += chunk.hysteresis_loss;
+    energy.curvature_gain += chunk.curvature_gain;
   }
   energy.driven_work = driven_work_;
   return energy;
