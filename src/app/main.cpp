@@ -25,6 +25,7 @@ constexpr const char* first_steps =
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate study halfspace                                 where two radii of curvature are not enough
+  osculate study curvature                                 what one radius a body costs
   osculate bench narrow                                    what a contact costs on this machine
   osculate bench laws                                      what its force law costs
 
