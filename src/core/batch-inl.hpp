@@ -231,6 +231,14 @@ HWY_INLINE void store(Batch value, double* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) to[i] = padded[i];
 }
 
+/// Stores the lanes that the mask selects; memory of the others is left alone.
+HWY_INLINE void store(double value, bool wanted, double* to) {
+  if (wanted) *to = value;
+}
+HWY_INLINE void store(Batch value, Mask wanted, double* to) {
+  hn::BlendedStore(value.v, wanted.m, Tag(), to);
+}
+
 template <class Real>
 HWY_INLINE Real square(Real a) {
   return a * a;

@@ -87,11 +87,14 @@ struct Rotation {
 /// The rotation of quaternion (w, v), whatever its length > 0.
 template <class Real>
 HWY_INLINE Rotation<Real> rotation_of(const Real& w, const V3<Real>& v) {
-  const Real two = Real(2.0) / (w * w + dot(v, v));
+  const Real one(1.0), squared = w * w + dot(v, v), excess = squared - one;
+  // A unit quaternion's 2/|q|² needs no division.
+  Real two = Real(2.0) * fma(excess, excess - one, one);
+  const MaskType<Real> unit = abs(excess) < Real(1e-6);
+  if (!all(unit)) two = select(unit, two, Real(2.0) / squared);
   const Real xx = two * v.x * v.x, yy = two * v.y * v.y, zz = two * v.z * v.z;
   const Real xy = two * v.x * v.y, yz = two * v.y * v.z, zx = two * v.z * v.x;
   const Real wx = two * w * v.x, wy = two * w * v.y, wz = two * w * v.z;
-  const Real one(1.0);
   return {{one - yy - zz, xy + wz, zx - wy}, {xy - wz, one - zz - xx, yz + wx}, {zx + wy, yz - wx, one - xx - yy}};
 }
 
@@ -165,6 +168,14 @@ HWY_INLINE V3<Real> lift(const TangentBasis<Real>& basis, const V2<Real>& v) {
 template <class Real>
 HWY_INLINE V2<Real> coordinates(const TangentBasis<Real>& basis, const V3<Real>& v) {
   return {dot(basis.e1, v), dot(basis.e2, v)};
+}
+
+/// A matrix of the plane `from` in the plane `to`, two bases of nearly one plane.
+template <class Real>
+HWY_INLINE Sym2<Real> turned(const Sym2<Real>& m, const TangentBasis<Real>& from, const TangentBasis<Real>& to) {
+  const V2<Real> row_1 = coordinates(from, to.e1), row_2 = coordinates(from, to.e2);
+  const V2<Real> m_1 = m * row_1, m_2 = m * row_2;
+  return {dot(row_1, m_1), dot(row_2, m_1), dot(row_2, m_2)};
 }
 
 template <class Real>

@@ -157,16 +157,22 @@ HWY_INLINE Mat2<Real> stiffness(const SharpJet<Real>& jet, const TangentBasis<Re
   return (one / determinant(blown_up)) * (normals * adjugate(blown_up));
 }
 
+template <class Pair, class At1, class At2, class Stiffness1, class Stiffness2, class Real = typename Pair::Number>
+HWY_INLINE Step<Real> newton_step(const Pair& pair, const At1& at_1, const At2& at_2, const TangentBasis<Real>& basis,
+                                  const Stiffness1& stiffness_1, const Stiffness2& stiffness_2) {
+  const V3<Real> gap = pair.inverse_length * (at_1.point - at_2.point);
+  Step<Real> step;
+  step.depth = dot(gap, at_1.normal);
+  step.mismatch = coordinates(basis, at_2.normal);
+  step.offset = coordinates(basis, gap);
+  solve(stiffness_1, stiffness_2, pair.length, step);
+  return step;
+}
 template <class Pair, class Jet1, class Jet2, class Real = typename Pair::Number>
 HWY_INLINE Step<Real> newton_step(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2,
                                   const TangentBasis<Real>& basis) {
-  const V3<Real> gap = pair.inverse_length * (jet_1.point - jet_2.point);
-  Step<Real> step;
-  step.depth = dot(gap, jet_1.normal);
-  step.mismatch = coordinates(basis, jet_2.normal);
-  step.offset = coordinates(basis, gap);
-  solve(stiffness(jet_1, basis, pair.length), stiffness(jet_2, pair.basis_in_2(basis), pair.length), pair.length, step);
-  return step;
+  return newton_step(pair, jet_1, jet_2, basis, stiffness(jet_1, basis, pair.length),
+                     stiffness(jet_2, pair.basis_in_2(basis), pair.length));
 }
 
 template <class Jet1, class Jet2, class Real>
@@ -268,6 +274,20 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int m
 template <class Pair, class Real = typename Pair::Number>
 HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
   return dot(pair.support_1(direction).point - pair.support_2(-direction).point, direction);
+}
+
+/// The first Newton step of a warm start. The bodies have moved, but each surface is what it was at its cached point:
+/// the shape operators found there serve again, unevaluated. In the tangent plane `basis` of normal 1.
+template <class Pair, class Real = typename Pair::Number>
+HWY_INLINE Touch<Real> predict(const Pair& pair, const Touch<Real>& last, const TangentBasis<Real>& basis,
+                               const Sym2<Real>& shape_1, const Sym2<Real>& shape_2) {
+  struct At {
+    V3<Real> point, normal;
+  };
+  const At at_1{last.point_1, last.normal_1}, at_2{last.point_2, last.normal_2};
+  Step<Real> step = newton_step<Pair>(pair, at_1, at_2, basis, shape_1, shape_2);
+  limit(step, squared_size(pair, step), Real(longest_step));
+  return advance(at_1, at_2, basis, step, pair.length);
 }
 
 /// How hard to try.
