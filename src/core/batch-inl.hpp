@@ -1,8 +1,8 @@
 // Scalar or batch: one formula, two number types.
 // A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
-// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes
-// it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its
-// own.
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, reciprocal, log, exp, sin, cos, any, all.
+// Highway includes it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a
+// namespace of its own.
 #if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_CORE_BATCH_INL
 #undef OSCULATE_CORE_BATCH_INL
@@ -125,6 +125,32 @@ HWY_INLINE Batch abs(Batch a) {
 HWY_INLINE Batch sqrt(Batch a) {
   return Batch(hn::Sqrt(a.v));
 }
+#if HWY_TARGET <= HWY_AVX3
+/// 1/a within 2 units in the last place, for normal a: a division takes four times as long. NaN for 0 and ∞.
+HWY_INLINE Batch reciprocal(Batch a) {
+  Batch x(hn::Vec<Tag>{_mm512_rcp14_pd(a.v.raw)});
+  const Batch one(1.0);
+  for (int i = 0; i < 2; ++i) x = Batch(hn::MulAdd(x.v, hn::NegMulAdd(a.v, x.v, one.v), x.v));
+  return x;
+}
+/// 1/√a, likewise.
+HWY_INLINE Batch inverse_sqrt(Batch a) {
+  Batch x(hn::Vec<Tag>{_mm512_rsqrt14_pd(a.v.raw)});
+  const Batch one(1.0), half(0.5);
+  for (int i = 0; i < 2; ++i) {
+    const Batch h = half * x, excess = Batch(hn::NegMulAdd((a * x).v, x.v, one.v));
+    x = Batch(hn::MulAdd(h.v, excess.v, x.v));
+  }
+  return x;
+}
+#else
+HWY_INLINE Batch reciprocal(Batch a) {
+  return Batch(1.0) / a;
+}
+HWY_INLINE Batch inverse_sqrt(Batch a) {
+  return Batch(1.0) / sqrt(a);
+}
+#endif
 HWY_INLINE Batch min(Batch a, Batch b) {
   return Batch(hn::Min(a.v, b.v));
 }
@@ -182,6 +208,12 @@ HWY_INLINE double abs(double a) {
 }
 HWY_INLINE double sqrt(double a) {
   return std::sqrt(a);
+}
+HWY_INLINE double reciprocal(double a) {
+  return 1.0 / a;
+}
+HWY_INLINE double inverse_sqrt(double a) {
+  return 1.0 / std::sqrt(a);
 }
 HWY_INLINE double min(double a, double b) {
   return b < a ? b : a;

@@ -47,7 +47,7 @@ HWY_INLINE Real norm(const V3<Real>& a) {
 }
 template <class Real>
 HWY_INLINE V3<Real> normalised(const V3<Real>& a) {
-  return (Real(1.0) / norm(a)) * a;
+  return inverse_sqrt(dot(a, a)) * a;
 }
 /// Component by component.
 template <class Real>
@@ -111,7 +111,7 @@ HWY_INLINE TangentBasis<Real> select(MaskType<Real> condition, const TangentBasi
 template <class Real>
 HWY_INLINE TangentBasis<Real> tangent_basis(const V3<Real>& n) {
   const Real sign = copysign(Real(1.0), n.z);
-  const Real a = Real(-1.0) / (sign + n.z);
+  const Real a = -reciprocal(sign + n.z);
   const Real b = n.x * n.y * a;
   return {{Real(1.0) + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
@@ -193,9 +193,11 @@ template <class Real>
 HWY_INLINE Eigen2<Real> eigen(const Sym2<Real>& m) {
   const Real half(0.5), zero(0.0), one(1.0), tiny(1e-150);
   const Real mean = half * (m.pp + m.qq), difference = half * (m.pp - m.qq);
-  const Real radius = sqrt(fma(difference, difference, m.pq * m.pq));
+  const Real squared = fma(difference, difference, m.pq * m.pq);
+  const Real radius = squared * inverse_sqrt(max(squared, tiny * tiny));
   // The eigenvector from the larger of the two equivalent forms: (radius + |difference|, pq) up to an exchange.
-  const Real long_side = radius + abs(difference), inverse = one / sqrt(max(Real(2.0) * radius * long_side, tiny));
+  const Real long_side = radius + abs(difference),
+             inverse = inverse_sqrt(max(Real(2.0) * radius * long_side, tiny * tiny));
   const Real major = long_side * inverse, minor = m.pq * inverse;
   const V2<Real> direction = select(difference >= zero, V2<Real>{major, minor}, V2<Real>{minor, major});
   return {mean + radius, mean - radius, select(radius <= tiny, V2<Real>{one, zero}, direction)};

@@ -98,7 +98,7 @@ HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Rea
     M = variation(select(step.descends, step.depth, min(step.depth, zero)));
     det = max(determinant(M), Real(flat_limit * flat_limit));
   }
-  return (Real(1.0) / det) * (adjugate(M) * right);
+  return reciprocal(det) * (adjugate(M) * right);
 }
 
 template <class Real>

@@ -174,7 +174,7 @@ struct Problem {
 
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
-    const Real inverse_1 = Real(1.0) / size_1, inverse_2 = Real(1.0) / size_2;
+    const Real inverse_1 = reciprocal(size_1), inverse_2 = reciprocal(size_2);
     const Real inverse_length = max(inverse_1, inverse_2);
     return {.surface_1 = Surface(body_1),
             .surface_2 = Surface(body_2),

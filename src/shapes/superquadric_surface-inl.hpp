@@ -69,7 +69,7 @@ HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, 
   const V3<Real> i{sign.x * inverse_axes.x, sign.y * inverse_axes.y, sign.z * inverse_axes.z};
   const V3<Real> gradient{outer.slope.p * inner.slope.p * i.x, outer.slope.p * inner.slope.q * i.y,
                           outer.slope.q * i.z};
-  const Real steepness = norm(gradient), flatness = Real(1.0) / steepness;
+  const Real squared = dot(gradient, gradient), flatness = inverse_sqrt(squared), steepness = squared * flatness;
   const Real weight_a = inner.bend * outer.slope_over_hat, weight_b = outer.bend;
   Jet jet;
   jet.point = {outer.hat.p * inner.hat.p * s.x, outer.hat.p * inner.hat.q * s.y, outer.hat.q * s.z};
@@ -229,8 +229,8 @@ class ImplicitSurface {
   using Jet = LevelJet<Real>;
 
   HWY_INLINE explicit ImplicitSurface(const SuperquadricNumbers<Real>& body)
-      : ImplicitSurface(body, Real(1.0) / (body.half_axes.x * body.half_axes.y * body.half_axes.z),
-                        Real(1.0) / (body.n1 * body.n2)) {}
+      : ImplicitSurface(body, reciprocal(body.half_axes.x * body.half_axes.y * body.half_axes.z),
+                        reciprocal(body.n1 * body.n2)) {}
 
   HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
     const Real one(1.0), zero(0.0);
@@ -248,11 +248,11 @@ class ImplicitSurface {
     const V3<Real> gradient{steep * along.x, steep * along.y, wz * c.z * inverse_axes_.z};
     // Level sets are homothetic: curvatures at the surface are those at the guess times N.
     const Real back = one - excess * inverse_n1_;
-    const Real flatness = one / (norm(gradient) * back);
+    const Real unit = inverse_sqrt(dot(gradient, gradient)), flatness = unit * reciprocal(back);
     const Real inner_weight = flatness * steep * (n2_ - one);
     Jet jet;
     jet.point = back * point;
-    jet.normal = (flatness * back) * gradient;
+    jet.normal = unit * gradient;
     jet.diagonal = {inner_weight * wx * square(inverse_axes_.x), inner_weight * wy * square(inverse_axes_.y),
                     flatness * (n1_ - one) * wz * square(inverse_axes_.z)};
     jet.across = along;
