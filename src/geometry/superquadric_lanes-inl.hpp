@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -271,12 +272,15 @@ HWY_INLINE V3<Real> write_touch(const Problem<Real>& problem, const Touch<Real>&
   return normal_b;
 }
 
-/// Calls `visit(row)` for the rows whose lane is wanted.
-template <class Real, class Visit>
-HWY_INLINE void for_rows(MaskType<Real> wanted, const Rows& rows, const Visit& visit) {
-  const std::uint64_t set = bits(wanted);
-  for (Index i = 0; i < lanes<Real>(); ++i)
-    if ((set >> i & 1U) != 0) visit(rows.first + i);
+/// Gives the rows whose lane is wanted this value.
+template <class Value, class MaskOfReal>
+HWY_INLINE void set_rows(Value value, MaskOfReal wanted, std::vector<Value>& values, const Rows& rows) {
+  Value* row = values.data() + rows.first;
+  if (all(wanted)) {
+    std::fill_n(row, lanes_of(wanted), value);
+    return;
+  }
+  for (std::uint64_t set = bits(wanted); set != 0; set &= set - 1) row[std::countr_zero(set)] = value;
 }
 
 template <class Real>
@@ -325,15 +329,11 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
   write3(select(swapped, kept_2, kept_1), wanted, cache, 12, rows);
   write3(select(swapped, kept_1, kept_2), wanted, cache, 15, rows);
 
-  const std::uint64_t gaps = bits(answer.overlap < zero);
-  const std::uint64_t flats = bits(relative.min * problem.length < Real(flat_curvature));
-  for_rows<Real>(wanted, rows, [&](Index row) {
-    const auto in = [&](std::uint64_t set) { return (set >> (row - rows.first) & 1U) != 0; };
-    rows.tables.contacts.statuses[row] = in(gaps)    ? ContactStatus::separated
-                                         : in(flats) ? ContactStatus::flat
-                                                     : ContactStatus::touching;
-    rows.tables.caches.states[row] = ContactCache::State::contact;
-  });
+  const MaskType<Real> gap = answer.overlap < zero, flat = relative.min * problem.length < Real(flat_curvature);
+  set_rows(ContactCache::State::contact, wanted, rows.tables.caches.states, rows);
+  set_rows(ContactStatus::touching, wanted, rows.tables.contacts.statuses, rows);
+  set_rows(ContactStatus::flat, wanted & flat, rows.tables.contacts.statuses, rows);
+  set_rows(ContactStatus::separated, wanted & gap, rows.tables.contacts.statuses, rows);
 }
 
 /// A direction and the overlap along it, without points.
@@ -344,7 +344,7 @@ HWY_NOINLINE void write_direction(const V3<Real>& normal, const Real& overlap, C
   write3(normal, wanted, columns, 0, rows);
   write(overlap, wanted, columns, 3, rows);
   for (std::size_t k = 4; k < 25; ++k) write(Real(0.0), wanted, columns, k, rows);
-  for_rows<Real>(wanted, rows, [&](Index row) { rows.tables.contacts.statuses[row] = status; });
+  set_rows(status, wanted, rows.tables.contacts.statuses, rows);
 }
 
 /// The support points in a direction that separates the bodies.
@@ -354,7 +354,7 @@ HWY_NOINLINE void write_separation(const Problem<Real>& problem, const Touch<Rea
   const V3<Real> normal = problem.frame.apply(supports.normal_1);
   write_direction(select(problem.swapped, -normal, normal), overlap, ContactStatus::separated, wanted, rows);
   write_touch(problem, supports, wanted, rows);
-  for_rows<Real>(wanted, rows, [&](Index row) { rows.tables.caches.states[row] = ContactCache::State::separation; });
+  set_rows(ContactCache::State::separation, wanted, rows.tables.caches.states, rows);
 }
 
 /// The best direction that was found, or zeros.
@@ -363,7 +363,7 @@ HWY_NOINLINE void write_failure(const Problem<Real>& problem, const V3<Real>& di
                                 ContactStatus status, MaskType<Real> wanted, const Rows& rows) {
   const V3<Real> normal = problem.frame.apply(direction);
   write_direction(select(problem.swapped, -normal, normal), overlap, status, wanted, rows);
-  for_rows<Real>(wanted, rows, [&](Index row) { rows.tables.caches.states[row] = ContactCache::State::empty; });
+  set_rows(ContactCache::State::empty, wanted, rows.tables.caches.states, rows);
 }
 
 }  // namespace HWY_NAMESPACE

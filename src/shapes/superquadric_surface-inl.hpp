@@ -195,12 +195,14 @@ class WholePower {
   MaskType<Real> odd_[6];
 };
 
-/// t^power by logarithm and exponential; 0^0 = 1.
+/// t^power for any power; 0^0 = 1.
 template <class Real>
 class AnyPower {
  public:
   HWY_INLINE explicit AnyPower(const Real& power) : power_(power) {}
-  HWY_INLINE Real operator()(const Real& t) const { return exp(power_ * log(max(t, Real(1e-300)))); }
+  HWY_INLINE Real operator()(const Real& t) const {
+    return osculate::HWY_NAMESPACE::power(max(t, Real(1e-300)), power_);
+  }
   static HWY_INLINE Real quotient(const Real& a) { return a; }
 
  private:
@@ -210,13 +212,15 @@ class AnyPower {
 /// Shape operator: diagonal + mixed · across acrossᵀ, projected.
 template <class Real>
 struct LevelJet {
-  V3<Real> point, normal, diagonal, across;
+  V3<Real> point, normal, diagonal;
+  V2<Real> across;  ///< has no z
   Real mixed;
 };
 template <class Real>
 HWY_INLINE Sym2<Real> shape_operator(const LevelJet<Real>& jet, const TangentBasis<Real>& basis) {
   const V3<Real> d1 = times(jet.diagonal, basis.e1), d2 = times(jet.diagonal, basis.e2);
-  const Real a1 = dot(jet.across, basis.e1), a2 = dot(jet.across, basis.e2), m1 = jet.mixed * a1;
+  const Real a1 = fma(jet.across.p, basis.e1.x, jet.across.q * basis.e1.y);
+  const Real a2 = fma(jet.across.p, basis.e2.x, jet.across.q * basis.e2.y), m1 = jet.mixed * a1;
   return {fma(m1, a1, dot(d1, basis.e1)), fma(m1, a2, dot(d1, basis.e2)), fma(jet.mixed * a2, a2, dot(d2, basis.e2))};
 }
 
@@ -244,8 +248,8 @@ class ImplicitSurface {
     }
     const Real excess = fma(steep, sum, fma(wz * r.z, r.z, -one));
     // ∇F/n1
-    const V3<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y, zero};
-    const V3<Real> gradient{steep * along.x, steep * along.y, wz * c.z * inverse_axes_.z};
+    const V2<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y};
+    const V3<Real> gradient{steep * along.p, steep * along.q, wz * c.z * inverse_axes_.z};
     // Level sets are homothetic: curvatures at the surface are those at the guess times N.
     const Real back = one - excess * inverse_n1_;
     const Real unit = inverse_sqrt(dot(gradient, gradient)), flatness = unit * reciprocal(back);
