@@ -205,6 +205,9 @@ constexpr double longest_step = 0.7;
 constexpr double small_step = 1e-12;
 /// Normals that differ by this are equal: points on flat sets move no further.
 constexpr double equal_normals = 3e-15;
+/// After a step below this whose error is negligible, the surfaces are evaluated once more, for their curvatures.
+constexpr double closing_step = 1e-5;
+constexpr double negligible = 1e-13;
 /// Below this, steps that no longer shrink are round-off: sharp tips magnify it.
 constexpr double stalled_step = 1e-8;
 
@@ -226,18 +229,44 @@ HWY_INLINE Answer<Real> select(MaskType<Real> condition, const Answer<Real>& yes
           select(condition, yes.converged, no.converged)};
 }
 
+/// A start near the answer, and the squared size of the step that led there; 0 if none did.
+template <class Real>
+struct Start {
+  Touch<Real> touch;
+  Real last_move;
+};
+
 /// Newton's method on points and normals from a start that is near: the warm path, and the end of the cold one.
 /// A lane that has arrived stands still, so that its answer does not depend on its neighbours.
 template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int most_steps) {
+HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int most_steps) {
+  const Real zero(0.0);
   Answer<Real> answer;
-  answer.touch = start;
-  Real last_move(1.0);
+  answer.touch = start.touch;
+  answer.converged = !(zero == zero);
+  MaskType<Real> closing = answer.converged;
+  Real last_move = start.last_move;
   for (int i = 0; i < most_steps; ++i) {
     const auto jet_1 = pair.lift_1(answer.touch.point_1, answer.touch.normal_1);
     const auto jet_2 = pair.lift_2(answer.touch.point_2, answer.touch.normal_2);
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
+    if (i == 0) {
+      answer.basis = basis;
+      answer.shape_1 = shape_1;
+      answer.shape_2 = shape_2;
+    } else {
+      const MaskType<Real>& done = answer.converged;
+      answer.basis = select(done, answer.basis, basis);
+      answer.shape_1 = select(done, answer.shape_1, shape_1);
+      answer.shape_2 = select(done, answer.shape_2, shape_2);
+      if (any(closing)) {
+        const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
+        answer.touch = select(closing & !done, here, answer.touch);
+        answer.converged = done | closing;
+        if (all(answer.converged)) break;
+      }
+    }
     Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
     const Real moved = squared_size(pair, step);
     const MaskType<Real> solved = (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
@@ -245,25 +274,16 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int m
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
     // Parallel normals have no tangential mismatch either.
-    const MaskType<Real> opposed = dot(jet_1.normal, jet_2.normal) < Real(0.0);
-    const MaskType<Real> stalled = (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
-    const MaskType<Real> arrived =
-        ((moved < Real(small_step * small_step)) | solved | stalled) & step.descends & opposed;
+    const MaskType<Real> sound = step.descends & (dot(jet_1.normal, jet_2.normal) < zero);
+    const MaskType<Real> stalled =
+        (last_move > zero) & (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
+    const MaskType<Real> arrived = ((moved < Real(small_step * small_step)) | solved | stalled) & sound;
+    // The error falls with the square of the step: s³/s_last² is left of it.
+    closing = sound & (moved < Real(closing_step * closing_step)) &
+              (moved * square(moved) < Real(negligible * negligible) * square(last_move));
     last_move = moved;
-    if (i == 0) {
-      answer.touch = next;
-      answer.basis = basis;
-      answer.shape_1 = shape_1;
-      answer.shape_2 = shape_2;
-      answer.converged = arrived;
-    } else {
-      const MaskType<Real>& done = answer.converged;
-      answer.touch = select(done, answer.touch, next);
-      answer.basis = select(done, answer.basis, basis);
-      answer.shape_1 = select(done, answer.shape_1, shape_1);
-      answer.shape_2 = select(done, answer.shape_2, shape_2);
-      answer.converged = done | arrived;
-    }
+    answer.touch = select(answer.converged, answer.touch, next);
+    answer.converged = answer.converged | arrived;
     if (all(answer.converged)) break;
   }
   answer.normal = normalised(answer.touch.normal_1 - answer.touch.normal_2);
@@ -279,15 +299,16 @@ HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
 /// The first Newton step of a warm start. The bodies have moved, but each surface is what it was at its cached point:
 /// the shape operators found there serve again, unevaluated. In the tangent plane `basis` of normal 1.
 template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Touch<Real> predict(const Pair& pair, const Touch<Real>& last, const TangentBasis<Real>& basis,
+HWY_INLINE Start<Real> predict(const Pair& pair, const Touch<Real>& last, const TangentBasis<Real>& basis,
                                const Sym2<Real>& shape_1, const Sym2<Real>& shape_2) {
   struct At {
     V3<Real> point, normal;
   };
   const At at_1{last.point_1, last.normal_1}, at_2{last.point_2, last.normal_2};
   Step<Real> step = newton_step<Pair>(pair, at_1, at_2, basis, shape_1, shape_2);
-  limit(step, squared_size(pair, step), Real(longest_step));
-  return advance(at_1, at_2, basis, step, pair.length);
+  const Real moved = squared_size(pair, step);
+  limit(step, moved, Real(longest_step));
+  return {advance(at_1, at_2, basis, step, pair.length), moved};
 }
 
 /// How hard to try.

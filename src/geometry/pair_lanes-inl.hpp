@@ -281,7 +281,7 @@ HWY_INLINE Answer<Real> answer_at(const Pair& pair, const Jet1& jet_1, const Jet
 /// Newton's method, compiled once for each kind of pair.
 template <class Pair, class Real = typename Pair::Number>
 HWY_NOINLINE Answer<Real> newton(const Pair& pair, const Touch<Real>& start, int most_steps) {
-  return polish(pair, start, most_steps);
+  return polish(pair, {start, Real(0.0)}, most_steps);
 }
 
 /// Of a coordinate, relative to its size.

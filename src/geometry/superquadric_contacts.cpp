@@ -55,7 +55,7 @@ HWY_INLINE Answer<Real> warm_answer(
 template <class Real, class Surface>
 HWY_INLINE Answer<Real> warm_answer(const SurfacePair<Real, Surface, Surface>& pair, const Problem<Real>& problem,
                                     const Rows& rows) {
-  return polish(pair, read_touch<Real>(problem, rows), 8);
+  return polish(pair, {read_touch<Real>(problem, rows), Real(0.0)}, 8);
 }
 
 template <class Real, class Lift>
@@ -121,7 +121,7 @@ HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, Gap gap) {
     write_separation(problem, touch, least, apart, rows);
     if (all(apart)) return bits(apart);
   }
-  const Answer<Real> answer = polish(lifts, touch, usual.newtons);
+  const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, usual.newtons);
   const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !apart;
   write_answer(problem, answer, good, rows);
   return gap == Gap::skip ? bits(good | apart) : bits(good);
@@ -147,7 +147,7 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
   const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
     Real lowest(0.0);
     const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
-    Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
+    Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, stubborn.newtons);
     answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
     const MaskType<Real> lower = open & (lowest < least);
     best_direction = select(lower, touch.normal_1, best_direction);
@@ -224,7 +224,7 @@ void confirm(const Tables& tables, Index i) {
     for (const Effort& effort : {usual, stubborn}) {
       double lowest = 0.0;
       const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
-      answer = polish(lifts, touch, effort.newtons);
+      answer = polish(lifts, {touch, 0.0}, effort.newtons);
       answer.converged = answer.converged && answer.overlap <= lowest + equal;
       if (answer.converged) break;
     }
@@ -270,34 +270,40 @@ constexpr Stage cold_stage(bool twos, bool blunt) {
   return twos ? cold_twos : blunt ? cold_blunt : cold_sharp;
 }
 
-/// The stage of every pair, in batches.
+/// Sorts the pairs by their first stage.
 template <class Real>
-void sort_out(const SuperquadricPairs& pairs, const ContactCaches& caches, Gap gap, std::vector<Stage>& stage_of) {
+std::array<Work, stages> sort_out(const SuperquadricPairs& pairs, const ContactCaches& caches, Gap gap) {
+  constexpr Index width = lanes<Real>();
   const Real two(2.0);
   const auto& columns = pairs.columns;
-  for (Index start = 0; start < pairs.size(); start += lanes<Real>()) {
-    const Index count = std::min(lanes<Real>(), pairs.size() - start);
+  std::array<Work, stages> work;
+  for (Index start = 0; start < pairs.size(); start += width) {
+    const Index count = std::min(width, pairs.size() - start);
     const auto exponent = [&](std::size_t column) HWY_ATTR { return load<Real>(columns[column] + start, count); };
     const auto is_whole = [&](const Real& n1, const Real& n2) HWY_ATTR {
       // The quotient is rounded: that it is whole is known by the product.
-      const Real multiple = floor(n1 / n2 + Real(0.5));
+      const Real multiple = floor(n1 * reciprocal(n2) + Real(0.5));
       return (floor(n2) == n2) & (multiple * n2 == n1);
     };
     const Real n1_1 = exponent(3), n2_1 = exponent(4), n1_2 = exponent(15), n2_2 = exponent(16);
     const Real least = min(min(n1_1, n2_1), min(n1_2, n2_2)), most = max(max(n1_1, n2_1), max(n1_2, n2_2));
     const std::uint64_t blunt = bits(least >= two), twos = bits((least == two) & (most == two));
     const std::uint64_t whole = bits(is_whole(n1_1, n2_1) & is_whole(n1_2, n2_2)) & blunt;
-    for (Index i = 0; i < count; ++i) {
+    const auto stage_of = [&](Index i) {
       const auto in = [&](std::uint64_t set) { return (set >> i & 1U) != 0; };
       const ContactCache::State state = caches.states[start + i];
-      stage_of[start + i] = state == ContactCache::State::contact ? (in(whole)   ? warm_whole
-                                                                     : in(blunt) ? warm_blunt
-                                                                                 : warm_sharp)
-                            : state == ContactCache::State::separation && gap == Gap::skip
-                                ? apart
-                                : cold_stage(in(twos), in(blunt));
-    }
+      if (state == ContactCache::State::contact) return in(whole) ? warm_whole : in(blunt) ? warm_blunt : warm_sharp;
+      if (state == ContactCache::State::separation && gap == Gap::skip) return apart;
+      return cold_stage(in(twos), in(blunt));
+    };
+    std::array<Stage, width> stage{};
+    for (Index i = 0; i < count; ++i) stage[i] = stage_of(i);
+    const bool alike =
+        count == width && std::all_of(stage.begin(), stage.end(), [&](Stage s) { return s == stage[0]; });
+    if (alike) work[stage[0]].batches.push_back(start);
+    for (Index i = 0; i < count && !alike; ++i) work[stage[i]].rows.push_back(start + i);
   }
+  return work;
 }
 
 inline Stage cold_stage_of(const SuperquadricPairs& pairs, Index i) {
@@ -317,53 +323,40 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
-  const Index size = pairs.size();
-  std::vector<Stage> stage_of(size);
-  sort_out<Real>(pairs, caches, gap, stage_of);
-  std::array<Index, stages + 1> begin{};
-  for (const Stage stage : stage_of) ++begin[stage + 1];
-  for (Index stage = 0; stage < stages; ++stage) begin[stage + 1] += begin[stage];
-  std::vector<Index> order(size);
-  std::array<Index, stages + 1> next = begin;
-  for (Index i = 0; i < size; ++i) order[next[stage_of[i]]++] = i;
-  const auto first_of = [&](Stage stage) {
-    return std::span<const Index>(order).subspan(begin[stage], begin[stage + 1] - begin[stage]);
-  };
-
   const Tables tables{pairs, caches, contacts};
-  std::vector<Index> off_implicit, turned_far, unsolved, hard;
-  in_batches<Real>(tables, first_of(warm_whole), off_implicit, solve_warm<Real, Whole>);
-  in_batches<Real>(tables, first_of(warm_blunt), off_implicit, solve_warm<Real, Implicit>);
-  std::sort(off_implicit.begin(), off_implicit.end());
+  std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
+  Work off_implicit, turned_far;
+  std::vector<Index> unsolved, hard, none;
+  in_batches<Real>(tables, first[warm_whole], off_implicit.rows, solve_warm<Real, Whole>);
+  in_batches<Real>(tables, first[warm_blunt], off_implicit.rows, solve_warm<Real, Implicit>);
   in_batches<Real>(tables, off_implicit, unsolved, solve_warm<Real, Blunt>);
-  in_batches<Real>(tables, first_of(warm_sharp), unsolved, solve_warm<Real, Sharp>);
-  in_batches<Real>(tables, first_of(apart), turned_far, check_apart<Real>);
+  in_batches<Real>(tables, first[warm_sharp], unsolved, solve_warm<Real, Sharp>);
+  in_batches<Real>(tables, first[apart], turned_far.rows, check_apart<Real>);
 
-  std::array<std::vector<Index>, 3> turned, cold;
-  for (const Index i : turned_far) turned[cold_stage_of(pairs, i) - cold_twos].push_back(i);
-  in_batches<Real>(tables, turned[0], unsolved, check_direction<Real, EllipsoidSupport>);
-  in_batches<Real>(tables, turned[1], unsolved, check_direction<Real, BluntSupport>);
-  in_batches<Real>(tables, turned[2], unsolved, check_direction<Real, SharpSupport>);
-  for (const Index i : unsolved) cold[cold_stage_of(pairs, i) - cold_twos].push_back(i);
-  for (const Stage stage : {cold_twos, cold_blunt, cold_sharp}) {
-    auto& list = cold[stage - cold_twos];
-    list.insert(list.end(), first_of(stage).begin(), first_of(stage).end());
-    std::sort(list.begin(), list.end());
-  }
-  in_batches<Real>(tables, cold[0], hard,
+  std::array<Work, stages> turned;
+  for (const Index i : turned_far.rows) turned[cold_stage_of(pairs, i)].rows.push_back(i);
+  in_batches<Real>(tables, turned[cold_twos], unsolved, check_direction<Real, EllipsoidSupport>);
+  in_batches<Real>(tables, turned[cold_blunt], unsolved, check_direction<Real, BluntSupport>);
+  in_batches<Real>(tables, turned[cold_sharp], unsolved, check_direction<Real, SharpSupport>);
+
+  for (const Index i : unsolved) first[cold_stage_of(pairs, i)].rows.push_back(i);
+  in_batches<Real>(tables, first[cold_twos], hard,
                    [&](const Rows& rows) { return solve_cold<Real, Ellipsoid, EllipsoidSupport>(rows, gap); });
-  in_batches<Real>(tables, cold[1], hard,
+  in_batches<Real>(tables, first[cold_blunt], hard,
                    [&](const Rows& rows) { return solve_cold<Real, Blunt, BluntSupport>(rows, gap); });
-  in_batches<Real>(tables, cold[2], hard,
+  in_batches<Real>(tables, first[cold_sharp], hard,
                    [&](const Rows& rows) { return solve_cold<Real, Sharp, SharpSupport>(rows, gap); });
-  std::sort(hard.begin(), hard.end());
-  std::vector<Index> none;
-  in_batches<Real>(tables, hard, none, solve_hard<Real>);
-  for (const auto& solved : cold)
-    for (const Index i : solved)
-      if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
-          !is_certainly_global(pairs, contacts.columns[3][i], i))
-        confirm(tables, i);
+  in_batches<Real>(tables, {{}, hard}, none, solve_hard<Real>);
+  const auto prove = [&](Index i) {
+    if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
+        !is_certainly_global(pairs, contacts.columns[3][i], i))
+      confirm(tables, i);
+  };
+  for (const Stage stage : {cold_twos, cold_blunt, cold_sharp}) {
+    for (const Index batch : first[stage].batches)
+      for (Index i = batch; i < batch + lanes<Real>(); ++i) prove(i);
+    for (const Index i : first[stage].rows) prove(i);
+  }
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {

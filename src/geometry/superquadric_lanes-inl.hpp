@@ -72,23 +72,29 @@ class Gathered {
   ContactColumns contacts_;
 };
 
-/// Calls `found = solve(rows)` for the rows on the list, a batch at a time; what is not found goes on `unsolved`.
-/// The list ascends.
+/// What a stage has to do: whole batches of rows that stand together, by their first rows, and single rows.
+struct Work {
+  std::vector<Index> batches, rows;
+};
+
+/// Calls `found = solve(rows)` a batch at a time; rows that are not found go on `unsolved`.
 template <class Real, class Solve>
-void in_batches(const Tables& tables, std::span<const Index> list, std::vector<Index>& unsolved, const Solve& solve) {
+void in_batches(const Tables& tables, const Work& work, std::vector<Index>& unsolved, const Solve& solve) {
   constexpr Index width = lanes<Real>();
-  for (Index start = 0; start < list.size(); start += width) {
-    const auto rows = list.subspan(start, std::min(width, list.size() - start));
-    std::uint64_t found = 0;
-    if (rows.back() - rows.front() == width - 1) {
-      found = solve(Rows{tables, rows.front()});
-    } else {
-      Gathered gathered(tables, rows, width);
-      found = solve(gathered.rows());
-      gathered.give_back(found, tables, rows);
-    }
-    for (Index i = 0; i < rows.size(); ++i)
-      if ((found >> i & 1U) == 0) unsolved.push_back(rows[i]);
+  const auto collect = [&](std::uint64_t found, Index count, const auto& row) {
+    for (Index i = 0; i < count; ++i)
+      if ((found >> i & 1U) == 0) unsolved.push_back(row(i));
+  };
+  constexpr std::uint64_t all = (std::uint64_t{1} << width) - 1;
+  for (const Index first : work.batches)
+    if (const std::uint64_t found = solve(Rows{tables, first}); found != all)
+      collect(found, width, [&](Index i) { return first + i; });
+  for (Index start = 0; start < work.rows.size(); start += width) {
+    const auto rows = std::span(work.rows).subspan(start, std::min(width, work.rows.size() - start));
+    Gathered gathered(tables, rows, width);
+    const std::uint64_t found = solve(gathered.rows());
+    gathered.give_back(found, tables, rows);
+    collect(found, rows.size(), [&](Index i) { return rows[i]; });
   }
 }
 
