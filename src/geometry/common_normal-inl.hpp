@@ -18,6 +18,16 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
+/// The outward normal where `lift` finds the point, for surfaces that have no cheaper way to it.
+template <class Surface, class Real>
+HWY_INLINE V3<Real> normal_at(const Surface& surface, const V3<Real>& point, const V3<Real>& normal) {
+  return surface.lift(point, normal).normal;
+}
+template <class Real, class Power>
+HWY_INLINE V3<Real> normal_at(const ImplicitSurface<Real, Power>& surface, const V3<Real>& point, const V3<Real>&) {
+  return surface.normal(point);
+}
+
 /// Two surfaces in the frame of the first.
 template <class Real, class Surface1, class Surface2>
 struct SurfacePair {
@@ -34,6 +44,14 @@ struct SurfacePair {
   HWY_INLINE auto lift_1(const V3<Real>& point, const V3<Real>& normal) const { return surface_1.lift(point, normal); }
   HWY_INLINE auto lift_2(const V3<Real>& point, const V3<Real>& normal) const {
     return in_frame_1(surface_2.lift(rotation.apply_inverse(point - centre_2), rotation.apply_inverse(normal)));
+  }
+  /// The outward normal only.
+  HWY_INLINE V3<Real> normal_1(const V3<Real>& point, const V3<Real>& normal) const {
+    return normal_at(surface_1, point, normal);
+  }
+  HWY_INLINE V3<Real> normal_2(const V3<Real>& point, const V3<Real>& normal) const {
+    return rotation.apply(
+        normal_at(surface_2, rotation.apply_inverse(point - centre_2), rotation.apply_inverse(normal)));
   }
   HWY_INLINE auto support_1(const V3<Real>& normal) const { return surface_1.support(normal); }
   HWY_INLINE auto support_2(const V3<Real>& normal) const {
@@ -318,6 +336,7 @@ struct Effort {
   double shortest_step;  ///< so does a failure to descend with steps of this size
   int newtons;           ///< most Newton steps
 };
+constexpr Effort hasty{16, 0.5, 1e-3, 10};
 constexpr Effort usual{16, 0.05, 1e-3, 10};
 constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
 
@@ -340,8 +359,8 @@ HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V
     const Real squared = squared_size(supports, step);
     limit(step, squared, radius);
     const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, lifts.length);
-    const V3<Real> normal_1 = lifts.lift_1(ahead.point_1, ahead.normal_1).normal;
-    const V3<Real> normal_2 = lifts.lift_2(ahead.point_2, ahead.normal_2).normal;
+    const V3<Real> normal_1 = lifts.normal_1(ahead.point_1, ahead.normal_1);
+    const V3<Real> normal_2 = lifts.normal_2(ahead.point_2, ahead.normal_2);
     const Real share = (step.trust_1 + Real(1e-300)) / (step.trust_1 + step.trust_2 + Real(2e-300));
     V3<Real> next = normalised(share * normal_1 - (one - share) * normal_2);
     auto next_1 = supports.support_1(next);

@@ -26,7 +26,7 @@ HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports
       select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
   const V3<Real> centre_line = normalised(toward);
   const V3<Real> origin{zero, zero, zero};
-  const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
+  const V3<Real> others[] = {lifts.normal_1(toward, toward), -lifts.normal_2(origin, -toward)};
   V3<Real> best = centre_line;
   Real least = overlap_along(supports, best);
   for (const V3<Real>& other : others) {
@@ -109,19 +109,19 @@ HWY_NOINLINE std::uint64_t check_direction(const Rows& rows) {
 }
 
 template <class Real, class Lift, class Support>
-HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, Gap gap) {
+HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Gap gap) {
   const auto problem = problem_of<Real>(rows);
   const auto lifts = problem.template as<Lift>();
   const auto supports = problem.template as<Support>();
   Real least(0.0);
-  const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), usual, least);
+  const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), effort, least);
   MaskType<Real> apart = !(least == least);
   if (gap == Gap::skip) {
     apart = least < Real(0.0);
     write_separation(problem, touch, least, apart, rows);
     if (all(apart)) return bits(apart);
   }
-  const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, usual.newtons);
+  const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, effort.newtons);
   const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !apart;
   write_answer(problem, answer, good, rows);
   return gap == Gap::skip ? bits(good | apart) : bits(good);
@@ -264,11 +264,17 @@ void confirm(const Tables& tables, Index i) {
 
 /// What is done with a pair first: by what its cache holds and by what its exponents allow. `blunt`: none is below 2;
 /// `whole`: moreover they are whole numbers, n1 a multiple of n2.
-enum Stage : std::uint8_t { warm_whole, warm_blunt, warm_sharp, apart, cold_twos, cold_blunt, cold_sharp, stages };
-
-constexpr Stage cold_stage(bool twos, bool blunt) {
-  return twos ? cold_twos : blunt ? cold_blunt : cold_sharp;
-}
+enum Stage : std::uint8_t {
+  warm_whole,
+  warm_blunt,
+  warm_sharp,
+  apart,
+  cold_twos,
+  cold_whole,
+  cold_blunt,
+  cold_sharp,
+  stages
+};
 
 /// Sorts the pairs by their first stage.
 template <class Real>
@@ -294,7 +300,7 @@ std::array<Work, stages> sort_out(const SuperquadricPairs& pairs, const ContactC
       const ContactCache::State state = caches.states[start + i];
       if (state == ContactCache::State::contact) return in(whole) ? warm_whole : in(blunt) ? warm_blunt : warm_sharp;
       if (state == ContactCache::State::separation && gap == Gap::skip) return apart;
-      return cold_stage(in(twos), in(blunt));
+      return in(twos) ? cold_twos : in(whole) ? cold_whole : in(blunt) ? cold_blunt : cold_sharp;
     };
     std::array<Stage, width> stage{};
     for (Index i = 0; i < count; ++i) stage[i] = stage_of(i);
@@ -306,10 +312,11 @@ std::array<Work, stages> sort_out(const SuperquadricPairs& pairs, const ContactC
   return work;
 }
 
-inline Stage cold_stage_of(const SuperquadricPairs& pairs, Index i) {
+/// The stage of a pair whose first one has failed.
+inline Stage second_stage(const SuperquadricPairs& pairs, Index i) {
   const double n[] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
   const auto [least, most] = std::minmax({n[0], n[1], n[2], n[3]});
-  return cold_stage(least == 2.0 && most == 2.0, least >= 2.0);
+  return least == 2.0 && most == 2.0 ? cold_twos : least >= 2.0 ? cold_blunt : cold_sharp;
 }
 
 template <class Real>
@@ -324,39 +331,52 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
   const Tables tables{pairs, caches, contacts};
-  std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
-  Work off_implicit, turned_far;
-  std::vector<Index> unsolved, hard, none;
+  const std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
+  const auto by_stage = [&](const std::vector<Index>& rows) {
+    std::array<Work, stages> work;
+    for (const Index i : rows) work[second_stage(pairs, i)].rows.push_back(i);
+    return work;
+  };
+  std::vector<Index> turned_far, unsolved, hard, none;
+  Work off_implicit;
   in_batches<Real>(tables, first[warm_whole], off_implicit.rows, solve_warm<Real, Whole>);
   in_batches<Real>(tables, first[warm_blunt], off_implicit.rows, solve_warm<Real, Implicit>);
   in_batches<Real>(tables, off_implicit, unsolved, solve_warm<Real, Blunt>);
   in_batches<Real>(tables, first[warm_sharp], unsolved, solve_warm<Real, Sharp>);
-  in_batches<Real>(tables, first[apart], turned_far.rows, check_apart<Real>);
 
-  std::array<Work, stages> turned;
-  for (const Index i : turned_far.rows) turned[cold_stage_of(pairs, i)].rows.push_back(i);
+  in_batches<Real>(tables, first[apart], turned_far, check_apart<Real>);
+  const auto turned = by_stage(turned_far);
   in_batches<Real>(tables, turned[cold_twos], unsolved, check_direction<Real, EllipsoidSupport>);
   in_batches<Real>(tables, turned[cold_blunt], unsolved, check_direction<Real, BluntSupport>);
   in_batches<Real>(tables, turned[cold_sharp], unsolved, check_direction<Real, SharpSupport>);
 
-  for (const Index i : unsolved) first[cold_stage_of(pairs, i)].rows.push_back(i);
-  in_batches<Real>(tables, first[cold_twos], hard,
-                   [&](const Rows& rows) { return solve_cold<Real, Ellipsoid, EllipsoidSupport>(rows, gap); });
-  in_batches<Real>(tables, first[cold_blunt], hard,
-                   [&](const Rows& rows) { return solve_cold<Real, Blunt, BluntSupport>(rows, gap); });
-  in_batches<Real>(tables, first[cold_sharp], hard,
-                   [&](const Rows& rows) { return solve_cold<Real, Sharp, SharpSupport>(rows, gap); });
+  const std::vector<Index> no_longer = unsolved;  // in contact, or apart, as their caches said
+
+  const auto cold = [&]<class Lift, class Support>(const Work& work, const Effort& effort, std::vector<Index>& left) {
+    in_batches<Real>(tables, work, left,
+                     [&](const Rows& rows) { return solve_cold<Real, Lift, Support>(rows, effort, gap); });
+  };
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(first[cold_twos], usual, hard);
+  cold.template operator()<Whole, BluntSupport>(first[cold_whole], hasty, unsolved);
+  cold.template operator()<Implicit, BluntSupport>(first[cold_blunt], hasty, unsolved);
+  cold.template operator()<Sharp, SharpSupport>(first[cold_sharp], usual, hard);
+  const auto again = by_stage(unsolved);
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(again[cold_twos], usual, hard);
+  cold.template operator()<Blunt, BluntSupport>(again[cold_blunt], usual, hard);
+  cold.template operator()<Sharp, SharpSupport>(again[cold_sharp], usual, hard);
   in_batches<Real>(tables, {{}, hard}, none, solve_hard<Real>);
+
   const auto prove = [&](Index i) {
     if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
         !is_certainly_global(pairs, contacts.columns[3][i], i))
       confirm(tables, i);
   };
-  for (const Stage stage : {cold_twos, cold_blunt, cold_sharp}) {
+  for (const Stage stage : {cold_twos, cold_whole, cold_blunt, cold_sharp}) {
     for (const Index batch : first[stage].batches)
       for (Index i = batch; i < batch + lanes<Real>(); ++i) prove(i);
     for (const Index i : first[stage].rows) prove(i);
   }
+  for (const Index i : no_longer) prove(i);
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {

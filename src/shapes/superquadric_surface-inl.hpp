@@ -264,6 +264,16 @@ class ImplicitSurface {
     return jet;
   }
 
+  /// The outward normal of the level set through any point ≠ 0.
+  HWY_INLINE V3<Real> normal(const V3<Real>& point) const {
+    const V3<Real> far = times(point, inverse_axes_), size = absolute(far);
+    const V3<Real> c = reciprocal(max(max(size.x, size.y), size.z)) * far, r = absolute(c);
+    const Real wx = inner_(r.x), wy = inner_(r.y), wz = outer_(r.z);
+    const Real sum = fma(wx * r.x, r.x, wy * r.y * r.y);
+    const Real steep = any(nested_) ? select(nested_, multiple_(sum) * sum, Real(1.0)) : Real(1.0);
+    return normalised(times({steep * wx * c.x, steep * wy * c.y, wz * c.z}, inverse_axes_));
+  }
+
  private:
   HWY_INLINE ImplicitSurface(const SuperquadricNumbers<Real>& body, const Real& inverse_product, const Real& share)
       : inverse_axes_{body.half_axes.y * body.half_axes.z * inverse_product,
