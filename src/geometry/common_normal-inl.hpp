@@ -175,22 +175,20 @@ HWY_INLINE Mat2<Real> stiffness(const SharpJet<Real>& jet, const TangentBasis<Re
   return (one / determinant(blown_up)) * (normals * adjugate(blown_up));
 }
 
-template <class Pair, class At1, class At2, class Stiffness1, class Stiffness2, class Real = typename Pair::Number>
-HWY_INLINE Step<Real> newton_step(const Pair& pair, const At1& at_1, const At2& at_2, const TangentBasis<Real>& basis,
-                                  const Stiffness1& stiffness_1, const Stiffness2& stiffness_2) {
+/// What is wrong with two points.
+template <class Pair, class At1, class At2, class Real = typename Pair::Number>
+HWY_INLINE Step<Real> residual(const Pair& pair, const At1& at_1, const At2& at_2, const TangentBasis<Real>& basis) {
   const V3<Real> gap = pair.inverse_length * (at_1.point - at_2.point);
   Step<Real> step;
   step.depth = dot(gap, at_1.normal);
   step.mismatch = coordinates(basis, at_2.normal);
   step.offset = coordinates(basis, gap);
-  solve(stiffness_1, stiffness_2, pair.length, step);
   return step;
 }
 template <class Pair, class Jet1, class Jet2, class Real = typename Pair::Number>
-HWY_INLINE Step<Real> newton_step(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2,
-                                  const TangentBasis<Real>& basis) {
-  return newton_step(pair, jet_1, jet_2, basis, stiffness(jet_1, basis, pair.length),
-                     stiffness(jet_2, pair.basis_in_2(basis), pair.length));
+HWY_INLINE void solve(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2, const TangentBasis<Real>& basis,
+                      Step<Real>& step) {
+  solve(stiffness(jet_1, basis, pair.length), stiffness(jet_2, pair.basis_in_2(basis), pair.length), pair.length, step);
 }
 
 template <class Jet1, class Jet2, class Real>
@@ -223,8 +221,10 @@ constexpr double longest_step = 0.7;
 constexpr double small_step = 1e-12;
 /// Normals that differ by this are equal: points on flat sets move no further.
 constexpr double equal_normals = 3e-15;
-/// After a step below this whose error is negligible, the surfaces are evaluated once more, for their curvatures.
-constexpr double closing_step = 1e-5;
+/// From steps below this on, the error falls with the square of the step.
+constexpr double quadratic_step = 1e-3;
+/// An error below this is left, in radians seen from the larger body's size; the surfaces are evaluated once more, for
+/// their curvatures.
 constexpr double negligible = 1e-13;
 /// Below this, steps that no longer shrink are round-off: sharp tips magnify it.
 constexpr double stalled_step = 1e-8;
@@ -247,6 +247,16 @@ HWY_INLINE Answer<Real> select(MaskType<Real> condition, const Answer<Real>& yes
           select(condition, yes.converged, no.converged)};
 }
 
+/// Whether the point is on the surface to round-off.
+template <class Jet, class Real>
+HWY_INLINE MaskType<Real> is_settled(const Jet&, const Real& any_number) {
+  return any_number == any_number;
+}
+template <class Real>
+HWY_INLINE MaskType<Real> is_settled(const LevelJet<Real>& jet, const Real&) {
+  return abs(jet.excess) < Real(1e-5);
+}
+
 /// A start near the answer, and the squared size of the step that led there; 0 if none did.
 template <class Real>
 struct Start {
@@ -264,11 +274,15 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
   answer.converged = !(zero == zero);
   MaskType<Real> closing = answer.converged;
   Real last_move = start.last_move;
+  const Real left_undone = square(max(Real(negligible) * pair.share_1 * pair.share_2, Real(equal_normals)));
   for (int i = 0; i < most_steps; ++i) {
     const auto jet_1 = pair.lift_1(answer.touch.point_1, answer.touch.normal_1);
     const auto jet_2 = pair.lift_2(answer.touch.point_2, answer.touch.normal_2);
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
+    const MaskType<Real> settled = is_settled(jet_1, zero) & is_settled(jet_2, zero);
+    Step<Real> step = residual(pair, jet_1, jet_2, basis);
+    const Real mismatch = dot(step.mismatch, step.mismatch), offset = dot(step.offset, step.offset);
     if (i == 0) {
       answer.basis = basis;
       answer.shape_1 = shape_1;
@@ -280,25 +294,26 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
       answer.shape_2 = select(done, answer.shape_2, shape_2);
       if (any(closing)) {
         const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
-        answer.touch = select(closing & !done, here, answer.touch);
+        closing = closing & settled & (mismatch < left_undone) & (offset < left_undone) & !done;
+        answer.touch = select(closing, here, answer.touch);
         answer.converged = done | closing;
         if (all(answer.converged)) break;
       }
     }
-    Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
+    solve(pair, jet_1, jet_2, basis, step);
     const Real moved = squared_size(pair, step);
-    const MaskType<Real> solved = (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
-                                  (dot(step.offset, step.offset) < square(Real(16.0) * pair.round_off));
+    const MaskType<Real> solved =
+        (mismatch < Real(equal_normals * equal_normals)) & (offset < square(Real(16.0) * pair.round_off));
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
     // Parallel normals have no tangential mismatch either.
-    const MaskType<Real> sound = step.descends & (dot(jet_1.normal, jet_2.normal) < zero);
+    const MaskType<Real> sound = settled & step.descends & (dot(jet_1.normal, jet_2.normal) < zero);
     const MaskType<Real> stalled =
         (last_move > zero) & (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
     const MaskType<Real> arrived = ((moved < Real(small_step * small_step)) | solved | stalled) & sound;
-    // The error falls with the square of the step: s³/s_last² is left of it.
-    closing = sound & (moved < Real(closing_step * closing_step)) &
-              (moved * square(moved) < Real(negligible * negligible) * square(last_move));
+    // Of a step s there is left s³/s_last².
+    closing = sound & (last_move < Real(quadratic_step * quadratic_step)) &
+              (moved * square(moved) < left_undone * square(last_move));
     last_move = moved;
     answer.touch = select(answer.converged, answer.touch, next);
     answer.converged = answer.converged | arrived;
@@ -323,7 +338,8 @@ HWY_INLINE Start<Real> predict(const Pair& pair, const Touch<Real>& last, const 
     V3<Real> point, normal;
   };
   const At at_1{last.point_1, last.normal_1}, at_2{last.point_2, last.normal_2};
-  Step<Real> step = newton_step<Pair>(pair, at_1, at_2, basis, shape_1, shape_2);
+  Step<Real> step = residual(pair, at_1, at_2, basis);
+  solve(shape_1, shape_2, pair.length, step);
   const Real moved = squared_size(pair, step);
   limit(step, moved, Real(longest_step));
   return {advance(at_1, at_2, basis, step, pair.length), moved};
@@ -355,7 +371,8 @@ HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V
   MaskType<Real> done = !(overlap == overlap);
   for (int i = 0; i < effort.descents; ++i) {
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
-    Step<Real> step = newton_step<Supports>(supports, jet_1, jet_2, basis);
+    Step<Real> step = residual(supports, jet_1, jet_2, basis);
+    solve(supports, jet_1, jet_2, basis, step);
     const Real squared = squared_size(supports, step);
     limit(step, squared, radius);
     const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, lifts.length);

@@ -215,6 +215,7 @@ struct LevelJet {
   V3<Real> point, normal, diagonal;
   V2<Real> across;  ///< has no z
   Real mixed;
+  Real excess;  ///< F − 1 where the guess was: the point is right to its third power
 };
 template <class Real>
 HWY_INLINE Sym2<Real> shape_operator(const LevelJet<Real>& jet, const TangentBasis<Real>& basis) {
@@ -225,8 +226,8 @@ HWY_INLINE Sym2<Real> shape_operator(const LevelJet<Real>& jet, const TangentBas
 }
 
 /// The implicit form F = (X^n2 + Y^n2)^k + Z^n1 = N^n1, X = |x|/a …, k = n1/n2: no roots. Its level sets are those of
-/// the gauge, so normals are right off the surface too; the point is brought back to first order in F − 1, which is
-/// good near the surface only. Near a pole with n1 < n2, where the powers of the sum overflow, it gives NaN.
+/// the gauge, so normals are right off the surface too; the point is brought back to second order in F − 1, which
+/// is good near the surface only. Near a pole with n1 < n2, where the powers of the sum overflow, it gives NaN.
 template <class Real, class Power>
 class ImplicitSurface {
  public:
@@ -251,7 +252,9 @@ class ImplicitSurface {
     const V2<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y};
     const V3<Real> gradient{steep * along.p, steep * along.q, wz * c.z * inverse_axes_.z};
     // Level sets are homothetic: curvatures at the surface are those at the guess times N.
-    const Real back = one - excess * inverse_n1_;
+    // (1 + excess)^(−1/n1)
+    const Real half(0.5), step = excess * inverse_n1_;
+    const Real back = fma(step * half, fma(step, one, excess), one - step);
     const Real unit = inverse_sqrt(dot(gradient, gradient)), flatness = unit * reciprocal(back);
     const Real inner_weight = flatness * steep * (n2_ - one);
     Jet jet;
@@ -261,6 +264,7 @@ class ImplicitSurface {
                     flatness * (n1_ - one) * wz * square(inverse_axes_.z)};
     jet.across = along;
     jet.mixed = select(nested_, flatness * (n1_ - n2_) * steeper, zero);
+    jet.excess = excess;
     return jet;
   }
 
