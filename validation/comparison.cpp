@@ -25,6 +25,8 @@ std::string name(Verdict verdict) {
       return "reproduced";
     case Verdict::differs:
       return "DIFFERS";
+    case Verdict::contradiction:
+      return "contradiction";
     case Verdict::not_available:
       return "not available";
   }

@@ -21,6 +21,7 @@ bool overlap(const Interval& a, const Interval& b);
 enum class Verdict {
   reproduced,     ///< the computed interval meets the printed one
   differs,        ///< it does not
+  contradiction,  ///< it does not and cannot: a note below the table proves that the printed number is at fault
   not_available,  ///< the printed or the computed number is missing: the remark says which, and why
 };
 
@@ -43,7 +44,7 @@ struct Comparison {
   std::string remark;  ///< why it differs or is missing; a key into the notes below the table
 };
 
-/// A number set against its printed form.
+/// A number set against its printed form: reproduced, different, or not available.
 Comparison compare(std::string item, std::string quantity, std::optional<Printed> printed,
                    std::optional<double> computed, std::optional<Interval> range);
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/laws_bench.hpp"
 #include "app/narrow_bench.hpp"
 #include "app/progress.hpp"
 #include "io/table.hpp"
@@ -24,8 +25,16 @@ the median of the repetitions ± half the distance between their quartiles.
 Example:
   osculate bench narrow --json > narrow.json)";
 
+constexpr const char* laws_help =
+    R"(Nanoseconds per contact on one core, from the radii of relative curvature and the motion of the step to force and
+memory; the median of the repetitions ± half the distance between their quartiles. Batched: many contacts in SIMD lanes;
+scalar: the same law contact by contact in doubles.
+Example:
+  osculate bench laws --json > laws.json)";
+
 struct BenchOptions {
   bool json = false;
+  LawBenchSettings laws;
   std::vector<std::string> classes;
   NarrowSettings narrow;
 };
@@ -128,6 +137,30 @@ void bench_narrow(const BenchOptions& options) {
   fmt::print("{}\n", report.dump(2));
 }
 
+void bench_laws(const BenchOptions& options) {
+  const std::vector<LawTimes> all = time_laws(options.laws);
+  if (!options.json) {
+    io::Table table{{"law", "path", "batched", "scalar", "scalar : batched"}, {}, 2};
+    for (const LawTimes& times : all)
+      table.rows.push_back({times.name, times.path, text_of(times.batched), text_of(times.scalar),
+                            ratio_text(times.scalar, times.batched)});
+    fmt::print("Contact laws: nanoseconds per contact on one core\n{} contacts, {} repetitions, batches on {}\n\n{}",
+               options.laws.contacts, options.laws.repetitions, batch_instruction_set(), io::to_text(table));
+    return;
+  }
+  nlohmann::ordered_json report{{"instruction_set", batch_instruction_set()},
+                                {"contacts", options.laws.contacts},
+                                {"repetitions", options.laws.repetitions},
+                                {"laws", nlohmann::ordered_json::array()}};
+  for (const LawTimes& times : all)
+    report["laws"].push_back({{"law", times.name},
+                              {"path", times.path},
+                              {"batched", json_of(times.batched)},
+                              {"scalar", json_of(times.scalar)},
+                              {"scalar_over_batched", times.scalar.median / times.batched.median}});
+  fmt::print("{}\n", report.dump(2));
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program) {
@@ -150,6 +183,17 @@ void add_bench(CLI::App& program) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   narrow->callback([options] { bench_narrow(*options); });
+
+  CLI::App* laws = bench->add_subcommand("laws", "Time of one contact of each law of a time step");
+  laws->footer(laws_help);
+  laws->add_flag("--json", options->json, "Print the numbers as JSON");
+  laws->add_option("--contacts", options->laws.contacts, "Contacts")
+      ->check(CLI::Range(16, 1000000))
+      ->capture_default_str();
+  laws->add_option("--repetitions", options->laws.repetitions, "Timed repetitions")
+      ->check(CLI::Range(3, 100000))
+      ->capture_default_str();
+  laws->callback([options] { bench_laws(*options); });
 }
 
 }  // namespace osculate::app

@@ -25,6 +25,7 @@ constexpr const char* first_steps =
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate study halfspace                                 where two radii of curvature are not enough
   osculate bench narrow                                    what a contact costs on this machine
+  osculate bench laws                                      what its force law costs
 
 `osculate COMMAND --help` explains a command and the files it reads.
 Exit codes: 0 done, 1 a comparison missed its bar, 2 wrong input (the message says where), 3 an internal error.)";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "validation/kildashti2023/coverage.hpp"
 #include "validation/kildashti2023/tables.hpp"
 
 namespace osculate::app {
@@ -16,6 +17,7 @@ namespace kildashti2023 = validation::kildashti2023;
 struct Options {
   std::vector<std::string> names;
   bool json = false;
+  bool coverage = false;
 };
 
 void print(const Options& options) {
@@ -46,7 +48,14 @@ void add_review(CLI::App& program) {
   command->add_option("table", options->names, "Which tables; all of them if none is named")
       ->check(CLI::IsMember(names));
   command->add_flag("--json", options->json, "Print JSON, one member a table");
-  command->callback([options] { print(*options); });
+  command->add_flag("--coverage", options->coverage,
+                    "Instead: every equation of the review, the function that computes it and the test that holds it");
+  command->callback([options] {
+    if (options->coverage)
+      fmt::print("{}", kildashti2023::coverage_text());
+    else
+      print(*options);
+  });
 }
 
 }  // namespace osculate::app

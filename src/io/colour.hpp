@@ -18,6 +18,7 @@ inline constexpr Colour blue{0.25, 0.50, 0.75};
 inline constexpr Colour orange{0.90, 0.58, 0.15};
 inline constexpr Colour green{0.10, 0.60, 0.45};
 inline constexpr Colour red{0.80, 0.25, 0.15};
+inline constexpr Colour purple{0.58, 0.36, 0.65};
 }  // namespace palette
 
 /// The perceptually uniform colour map "viridis" (S. van der Walt & N. Smith, matplotlib) from dark violet at 0 to

@@ -27,7 +27,7 @@ std::string to_text(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string padding(widths[i] - width(row[i]), ' ');
       if (i > 0) text += "  ";
-      text += i == 0 ? row[i] + padding : padding + row[i];
+      text += i < table.words ? row[i] + padding : padding + row[i];
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';

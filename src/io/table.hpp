@@ -1,15 +1,18 @@
 #pragma once
 // Tables in the terminal: aligned columns under a header, as people read them.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace osculate::io {
 
-/// Rows of text; numbers are formatted by the caller. The first column is left-aligned, the others right-aligned.
+/// Rows of text; numbers are formatted by the caller. The first columns hold words and are left-aligned, the others
+/// right-aligned.
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
+  std::size_t words = 1;  ///< columns of words
 };
 
 /// The table as text, ending in a newline. Widths count code points, so that δ and ° keep the columns straight.

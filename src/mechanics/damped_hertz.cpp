@@ -129,12 +129,15 @@ double force(const Model& model, double overlap, double rate, Attraction attract
   return attraction == Attraction::cut_off ? std::max(total, 0.0) : total;
 }
 
+double tsuji_factor(double restitution, Attraction attraction) {
+  return std::sqrt(5.0) * linear_spring_dashpot::damping_ratio_for(restitution, attraction);
+}
+
 Model tsuji(const ImpactPair& pair, double restitution, Attraction attraction) {
   validate(pair);
-  const double ratio = linear_spring_dashpot::damping_ratio_for(restitution, attraction);
   const double stiffness = pair.hertz_coefficient();
   return {.stiffness = stiffness,
-          .damping = std::sqrt(5.0) * ratio * std::sqrt(pair.mass * stiffness),
+          .damping = tsuji_factor(restitution, attraction) * std::sqrt(pair.mass * stiffness),
           .kind = Damping::quarter};
 }
 

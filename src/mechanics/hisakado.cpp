@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "mechanics/asperity_heights.hpp"
 #include "osculate/core/error.hpp"
+#include "osculate/mechanics/greenwood_williamson.hpp"
 #include "osculate/mechanics/mindlin.hpp"
 
 namespace osculate::hisakado {
@@ -50,7 +50,7 @@ double sliding_share(const Surface& surface, double h, double displacement) {
 double normal_force(const Surface& surface, double h) {
   const double sigma = surface.height_deviation;
   return 4.0 / 3.0 * surface.modulus * surface.asperities * std::sqrt(surface.asperity_radius * sigma) * sigma *
-         height_integral(HeightPower::three_halves, h);
+         greenwood_williamson::height_integrals(h).three_halves;
 }
 
 double tangential_force(const Surface& surface, double h, double displacement) {
@@ -61,7 +61,7 @@ double tangential_force(const Surface& surface, double h, double displacement) {
 
 double stiffness(const Surface& surface, double h) {
   return 2.0 * surface.modulus * surface.asperities * std::sqrt(surface.asperity_radius * surface.height_deviation) /
-         surface.compliance_ratio * height_integral(HeightPower::one_half, h);
+         surface.compliance_ratio * greenwood_williamson::height_integrals(h).half;
 }
 
 }  // namespace osculate::hisakado

@@ -20,11 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE V3<Batch> load(const mindlin::Vectors<const double>& from, std::size_t start, std::size_t count) {
+HWY_INLINE V3<Batch> load(const Vectors<const double>& from, std::size_t start, std::size_t count) {
   return {load<Batch>(&from.x[start], count), load<Batch>(&from.y[start], count), load<Batch>(&from.z[start], count)};
 }
-HWY_INLINE void store(const V3<Batch>& value, const mindlin::Vectors<double>& to, std::size_t start,
-                      std::size_t count) {
+HWY_INLINE void store(const V3<Batch>& value, const Vectors<double>& to, std::size_t start, std::size_t count) {
   store(value.x, &to.x[start], count);
   store(value.y, &to.y[start], count);
   store(value.z, &to.z[start], count);
@@ -74,22 +73,59 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
     const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
 
+    const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
+    const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
+    const auto stored = [&](const SpringsOf<Batch>& springs) HWY_ATTR {
+      const PlanarOf<Batch> sum = squared(springs);
+      return Batch(0.375) * coefficient * fma(kappa_major, sum.x, kappa_minor * sum.y);
+    };
+
     const V3<Batch> minor = cross(normal, major);
     Batch sin_spin = zero, cos_spin = one;
     if (any(!(spin == zero))) sin_spin = sin(spin), cos_spin = cos(spin);
     carry(line, old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
-    advance(line, overlap, {dot(moved, major) / kappa_major, dot(moved, minor) / kappa_minor}, Batch(pair.friction));
+    const Batch along = dot(moved, major), across = dot(moved, minor);
+    PlanarOf<Batch> sheared_before{zero, zero};
+    Batch stored_before = zero;
+    if (energies) {
+      const Mask held = line.count > zero;
+      sheared_before = traction(line);
+      stored_before = select(held & (line.rim_root > zero), stored(line), zero);
+      sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
+    }
+    advance(line, overlap, {along / kappa_major, across / kappa_minor}, Batch(pair.friction));
     const PlanarOf<Batch> sheared = traction(line);
 
-    const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
-    const Batch normal_force = max(state.force + Batch(pair.damping_time) * state.stiffness * rate, zero);
+    Batch dashpot = Batch(pair.damping_time) * state.stiffness;
+    if (pair.damping_factor > 0.0)
+      dashpot += Batch(pair.damping_factor) *
+                 sqrt(Batch(2.0 / 3.0) * load<Batch>(&input.reduced_mass[start], count) * state.stiffness);
+    const Batch normal_force = max(fma(dashpot, rate, state.force), zero);
     const V3<Batch> force =
         (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
     const V3<Batch> none{zero, zero, zero};
     store(select(pressed, force, none), output.force, start, count);
     store(select(pressed, normal_force, zero), &output.normal_force[start], count);
-    store(select(pressed, state.a_c, zero), &output.a_c[start], count);
-    store(select(good, ellipse.axis_ratio, zero), &output.axis_ratio[start], count);
+    const auto say = [&](const Batch& value, std::span<double> to) HWY_ATTR {
+      if (!to.empty()) store(select(pressed, value, zero), &to[start], count);
+    };
+    say(state.a_c, output.a_c);
+    say(ellipse.axis_ratio, output.axis_ratio);
+
+    say(state.stiffness, output.stiffness);
+    say(state.strain_energy, output.stored_normal);
+    say((normal_force - state.force) * rate, output.viscous_power);
+    if (energies) {
+      const Batch stored_now = stored(line);
+      say(stored_now, output.stored_tangential);
+      if (!output.friction_loss.empty()) {
+        const Batch work = Batch(0.5) * coefficient *
+                           fma(sheared_before.x + sheared.x, along, (sheared_before.y + sheared.y) * across);
+        // An open contact's springs are those of the last overlap; no other is known.
+        store(select(pressed, work - stored_now + stored_before, select(good, stored_before, zero)),
+              &output.friction_loss[start], count);
+      }
+    }
 
     // Bad numbers leave the memory as it was, an open contact none.
     const auto remember = [&](Batch value, mindlin::MemoryBlock::Lanes& to) HWY_ATTR {
@@ -101,6 +137,11 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       remember(line.at[i].root, block.root[k]);
       remember(line.at[i].x, block.x[k]);
       remember(line.at[i].y, block.y[k]);
+    }
+    const Mask opened = good & !pressed & (remembered(block.count) > zero);
+    if (any(opened)) {
+      for (auto* lanes_of : {&block.root, &block.x, &block.y})
+        for (auto& layer : *lanes_of) store(select(opened, zero, remembered(layer)), &layer[lane], lanes<Batch>());
     }
     remember(line.count, block.count);
     remember(overlap, block.overlap);
@@ -161,29 +202,23 @@ Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, 
 
 void contacts(const Pair& pair, const BatchInput& input, std::span<MemoryBlock> memory, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other : {input.R_j.size(),
-                                  input.overlap.size(),
-                                  input.overlap_rate.size(),
-                                  input.normal.x.size(),
-                                  input.normal.y.size(),
-                                  input.normal.z.size(),
-                                  input.major_axis.x.size(),
-                                  input.major_axis.y.size(),
-                                  input.major_axis.z.size(),
-                                  input.displacement.x.size(),
-                                  input.displacement.y.size(),
-                                  input.displacement.z.size(),
-                                  input.spin.size(),
-                                  output.force.x.size(),
-                                  output.force.y.size(),
-                                  output.force.z.size(),
-                                  output.normal_force.size(),
-                                  output.a_c.size(),
-                                  output.axis_ratio.size(),
-                                  output.status.size()})
+  for (const std::size_t other :
+       {input.R_j.size(), input.overlap.size(), input.overlap_rate.size(), input.normal.x.size(), input.normal.y.size(),
+        input.normal.z.size(), input.major_axis.x.size(), input.major_axis.y.size(), input.major_axis.z.size(),
+        input.displacement.x.size(), input.displacement.y.size(), input.displacement.z.size(), input.spin.size(),
+        output.force.x.size(), output.force.y.size(), output.force.z.size(), output.normal_force.size(),
+        output.status.size()})
     if (other != size)
       throw InputError("mindlin::contacts", "a column of " + std::to_string(other) + " values",
                        std::to_string(size) + " as in R_i");
+  for (const std::size_t other : {input.reduced_mass.size(), output.a_c.size(), output.axis_ratio.size(),
+                                  output.stiffness.size(), output.stored_normal.size(), output.stored_tangential.size(),
+                                  output.viscous_power.size(), output.friction_loss.size()})
+    if (other != size && other != 0)
+      throw InputError("mindlin::contacts", "a column of " + std::to_string(other) + " values",
+                       std::to_string(size) + " as in R_i");
+  if (pair.damping_factor > 0.0 && input.reduced_mass.empty())
+    throw InputError("mindlin::contacts", "no column of reduced masses", "one, for a damping factor above zero");
   const std::size_t blocks = (size + MemoryBlock::width - 1) / MemoryBlock::width;
   if (memory.size() != blocks)
     throw InputError("mindlin::contacts", std::to_string(memory.size()) + " blocks of memory", std::to_string(blocks));

@@ -16,8 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// Deviations from a straight line below this, relative to the sliding deflection, are rounding.
-inline constexpr double straight = 1e-14;
+/// Deviations from a straight line below this, relative to the sliding deflection, are rounding: that of a frame that
+/// turned hundreds of times leaves 1e-11.
+inline constexpr double straight = 1e-10;
 /// Points nearer than this share of the overlap are one.
 inline constexpr double nearest = 1e-15;
 

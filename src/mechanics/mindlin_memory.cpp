@@ -84,14 +84,20 @@ Law law(double coefficient, const Axes& compliance_ratio, double friction) {
   return {.coefficient = coefficient, .compliance_ratio = compliance_ratio, .friction = friction};
 }
 
+Springs carried(const Memory& memory, const Step& step) {
+  Springs springs = memory.springs;
+  if (springs.count == 0) return springs;
+  Line line = line_of(springs);
+  const Vec3 minor = step.normal.cross(step.major_axis);
+  HWY_NAMESPACE::carry<double>(line, vector(memory.normal), vector(memory.axis), vector(step.normal),
+                               vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
+  keep(springs, line);
+  return springs;
+}
+
 Vec3 advance(Memory& memory, const Law& law, const Step& step) {
   const Vec3 minor = step.normal.cross(step.major_axis);
-  if (memory.springs.count > 0) {
-    Line line = line_of(memory.springs);
-    HWY_NAMESPACE::carry<double>(line, vector(memory.normal), vector(memory.axis), vector(step.normal),
-                                 vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
-    keep(memory.springs, line);
-  }
+  memory.springs = carried(memory, step);
   advance(memory.springs, step.overlap,
           {step.displacement.dot(step.major_axis) / law.compliance_ratio.major,
            step.displacement.dot(minor) / law.compliance_ratio.minor},

@@ -73,4 +73,18 @@ TangentVector force(const Model& model, double normal_force, const TangentVector
   return -memory.force * memory.direction;
 }
 
+double recoverable_energy(const Model& model, const Memory& memory) {
+  // On the way back from a turn at T_0, T = T_0 − (μF_n + T_0)(1 − u) and ds = −dT/(K_0 u^γ), all counted along T.
+  const double size = std::fabs(memory.force), limit = model.friction * memory.normal_force;
+  if (!(size > 0.0) || !(limit > 0.0)) return 0.0;
+  const bool unloading = memory.backward == (memory.force > 0.0);
+  const double turn = unloading ? std::max(std::copysign(1.0, memory.force) * memory.turning, size) : size;
+  const double span = limit + turn, now = 1.0 - (turn - size) / span, end = 1.0 - turn / span;
+  const auto integral = [&](double u) {
+    return (turn - span) * std::pow(u, 1.0 - model.exponent) / (1.0 - model.exponent) +
+           span * std::pow(u, 2.0 - model.exponent) / (2.0 - model.exponent);
+  };
+  return span / model.stiffness * (integral(now) - integral(end));
+}
+
 }  // namespace osculate::walton_braun_friction

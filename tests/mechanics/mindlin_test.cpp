@@ -120,6 +120,17 @@ TEST_CASE("Force and displacement of virgin loading are inverse, and stiffness t
   CHECK(mindlin::stick_ratio(held, held.limit) == 0.0);
 }
 
+TEST_CASE("The ellipse of stick leaves the tangential force to the two Hertz pressures' difference") {
+  // Cattaneo: q = μp(ρ) − r μp(ρ/r) inside the stick, with p = 3F_n/(2πab) (1 − ρ²)^{1/2} in scaled coordinates.
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const double r = mindlin::stick_ratio(held, share * held.limit);
+    const auto pressure = [](double rho) { return 1.5 * std::sqrt(std::max(0.0, 1.0 - rho * rho)); };  // × F_n/(πab)
+    const auto ring = [&](double rho) { return 2.0 * rho * pressure(rho); };
+    const auto stick = [&](double rho) { return 2.0 * rho * r * pressure(rho / r); };
+    CHECK(quadrature(ring, 0.0, 1.0) - quadrature(stick, 0.0, r) == Approx(share).epsilon(1e-8));  // quadrature's own
+  }
+}
+
 TEST_CASE("Unloading starts stiff at the peak and joins the mirrored virgin curve at its foot") {
   const double peak = 0.8 * held.limit;
   const auto unload = [&](double f) { return mindlin::unloading_displacement(held, f, peak); };

@@ -11,6 +11,12 @@ namespace osculate::validation::kildashti2023 {
 /// Table 1: normal force of the accurate and of the simplified model in three poses.
 ReproducedTable table1();
 
+/// Table 2: normal force with adhesion.
+ReproducedTable table2();
+
+/// Table 3: normal force of rough bodies.
+ReproducedTable table3();
+
 struct Entry {
   std::string_view name;
   ReproducedTable (*compute)();

@@ -23,7 +23,7 @@ constexpr bool is_resolved(ContactStatus status) {
   return status != ContactStatus::not_converged && status != ContactStatus::degenerate;
 }
 
-/// Principal curvatures of one body's surface, positive where convex.            [KDY23 (5)–(10)]
+/// Principal curvatures of one body's surface, positive where convex.
 struct PrincipalCurvatures {
   double max = 0.0;                   ///< k_max ≥ k_min [1/m]
   double min = 0.0;                   ///< [1/m]
@@ -33,7 +33,7 @@ struct PrincipalCurvatures {
   double gaussian() const { return max * min; }
 };
 
-/// Radii of relative curvature: 1/R_i ≤ 1/R_j are the eigenvalues of the summed shape operators. [KDY23 (3),(4)]
+/// Radii of relative curvature: 1/R_i ≤ 1/R_j are the eigenvalues of the summed shape operators.
 /// A flat direction has R = ∞ unless the caller set a cap.
 struct RelativeCurvature {
   double R_i = 0.0;                ///< the larger radius [m]; its direction carries the major semi-axis a_c

@@ -1,6 +1,6 @@
 #pragma once
 // Simplified models of a contact's curvature, to compare with the exact one. Each body becomes a sphere of some radius
-// and the contact a circular one.                                                  [KDY23 (17),(18)]
+// and the contact a circular one.
 
 #include <string_view>
 
@@ -9,7 +9,7 @@
 namespace osculate {
 
 enum class CurvatureModel {
-  exact,              ///< the summed shape operators                               [KDY23 (3),(4)]
+  exact,              ///< the summed shape operators
   gaussian,           ///< each body's R = 1/√(k_max k_min)                         [KDY23 (17),(18)]
   mean,               ///< each body's R = 2/(k_max + k_min)
   volume_equivalent,  ///< each body's R = R_vol

@@ -2,7 +2,7 @@
 // The contact point that several other codes use, for comparison studies: the midway point of two potentials. It is not
 // the common normal: the two agree for vanishing overlap and for spheres only.      [Podlozhnyuk17 (20)–(22),(37)]
 //   minimise F1(x) + F2(x) subject to F1(x) = F2(x)
-//   F = N^p − 1, N the gauge: p = n1 for superquadrics, which is Γ of [KDY23 (15)]; 2 for all other particles
+//   F = N^p − 1, N the gauge: p = n1 for superquadrics, which is the review's Γ; 2 for all other particles
 // Equivalently: both bodies shrink about their origins, N_i = (1 + F)^(1/p_i), until they touch in one point.
 
 #include "osculate/geometry/contact_geometry.hpp"

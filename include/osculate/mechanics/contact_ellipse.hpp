@@ -5,7 +5,7 @@ namespace osculate {
 
 /// What the elliptical theories take from the geometry. Independent of load, overlap and material.
 struct ContactEllipse {
-  double R_c;         ///< R_i R_j/(R_i + R_j) [m]                                                    [KDY23 (2)]
+  double R_c;         ///< R_i R_j/(R_i + R_j) [m]
   double axis_ratio;  ///< b_c/a_c in (0, 1]
   double e2;          ///< e² = 1 − (b_c/a_c)², to full relative precision also when nearly circular
   double K;           ///< complete elliptic integrals of parameter e²

@@ -26,6 +26,7 @@ double force(const Model& model, double overlap, double rate, Attraction attract
 /// Tsuji, Tanaka, Ishida: c = α (m k_H)^{1/2}. With z = δ^{5/4} and dτ = δ^{1/4} dt the motion is a damped linear
 /// oscillator of ζ = α/√5, so that ε fixes α exactly: α = √5 ζ(ε) with the linear model's ζ; no fit is needed.
 /// [TTI92; AE11]
+double tsuji_factor(double restitution, Attraction attraction);  ///< α; throws InputError unless ε is in (0, 1]
 Model tsuji(const ImpactPair& pair, double restitution, Attraction attraction);
 
 /// Kuwabara and Kono: c given [N s/m^{3/2}].                                                                     [KK87]

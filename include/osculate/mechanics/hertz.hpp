@@ -1,5 +1,5 @@
 #pragma once
-// Elliptical Hertz: two smooth elastic bodies pressed together without friction or adhesion.       [KDY23 (1),(2)]
+// Elliptical Hertz: two smooth elastic bodies pressed together without friction or adhesion.
 // One contact at a time, or many in batches through the same formulas.
 
 #include <cstdint>

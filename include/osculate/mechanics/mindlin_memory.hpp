@@ -91,6 +91,10 @@ struct Law {
 /// Throws InputError unless k > 0, κ > 0 and μ ≥ 0, all finite.
 Law law(double coefficient, const Axes& compliance_ratio, double friction);
 
+/// The springs in the new plane: carried by parallel transport along the turn of the normal, then by the spin; not yet
+/// moved.
+Springs carried(const Memory& memory, const Step& step);
+
 /// Carries the memory to the new plane (parallel transport along the turn of the normal, then the spin), moves the
 /// springs, and returns the tangential force on body 1 [N], world frame; body 2 feels the opposite.
 Vec3 advance(Memory& memory, const Law& law, const Step& step);

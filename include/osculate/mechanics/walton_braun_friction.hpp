@@ -32,4 +32,8 @@ struct Memory {
 /// @param displacement  of body 1 relative to body 2 during the step [m]
 TangentVector force(const Model& model, double normal_force, const TangentVector& displacement, Memory& memory);
 
+/// What a motion that takes the force back to zero would give back [J]: along the path the contact is on if it is being
+/// unloaded, else along the one that starts here.
+double recoverable_energy(const Model& model, const Memory& memory);
+
 }  // namespace osculate::walton_braun_friction

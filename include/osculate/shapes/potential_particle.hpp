@@ -1,5 +1,5 @@
 #pragma once
-// Potential particles: rounded convex polyhedra given by face planes.              [KDY23 (16), Houlsby09]
+// Potential particles: rounded convex polyhedra given by face planes.              [Houlsby09]
 //   f(x) = (1−k) [ Σ_i ⟨a_i·x − d_i⟩² / r² − 1 ] + k [ |x|²/R² − 1 ],   f = 0 on the surface, ⟨t⟩ = max(t, 0)
 // The review prints + d_i; with outward unit normals a_i and d_i > 0 the sign is − (docs/errata.md).
 

@@ -1,5 +1,5 @@
 #pragma once
-// Superquadrics, with ellipsoids and spheres as their exact special cases.       [KDY23 (15)]
+// Superquadrics, with ellipsoids and spheres as their exact special cases.
 //   (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1,   n1 = 2/η1, n2 = 2/η2
 // The solid is the unit ball of a nested p-norm: gauge and support function are closed forms.
 
@@ -13,7 +13,7 @@ struct Exponents {
   double n1 = 2.0;
   double n2 = 2.0;
 
-  /// The review's form n = 2/η, η in [1/32, 2).                                 [KDY23 (15)]
+  /// The review's form n = 2/η, η in [1/32, 2).
   static Exponents from_eta(double eta1, double eta2) { return {2.0 / eta1, 2.0 / eta2}; }
 };
 
@@ -46,7 +46,7 @@ void validate(const Ellipsoid& shape);
 void validate(const Sphere& shape);
 
 /// N(x), its gradient and Hessian, body frame [m]; at x = 0 all are zero. On a rim of n < 2 (x, y or z exactly zero)
-/// the curvature is infinite: 1e100 relative to the half-axes stands for it.
+/// the curvature is infinite: 1e100 relative to the half-axes stands for it.                          [KDY23 (15)]
 Gauge gauge(const Superquadric& shape, const Vec3& x);
 
 /// h(u), ∇h and ∇∇h, body frame; at u = 0 all are zero. Where a face is flat (n > 2 and a component of u exactly zero)

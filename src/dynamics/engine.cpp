@@ -1,0 +1,290 @@
+#include "dynamics/engine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "osculate/dynamics/rigid_rotation.hpp"
+
+namespace osculate {
+namespace {
+
+constexpr std::size_t body_block = 256;
+
+/// Adds the time a stage takes.
+class StageClock {
+ public:
+  explicit StageClock(double& seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+  ~StageClock() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace
+
+Simulation::Engine::Engine(const Setup& setup)
+    : world_(make_world(setup)), bodies_(make_bodies(world_)), threads_(setup.threads) {
+  make_room();
+  kinematics_.time_step = 0.0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    kinematics_.velocity[i] = bodies_.velocity[i];
+    kinematics_.angular_velocity[i] = kinematics_.mean_angular_velocity[i] = bodies_.angular_velocity(i);
+  }
+  for (const Driven& driven : driven_) {
+    const BodyStart& start = world_.setup.bodies[driven.body];
+    const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose, 0.0);
+    bodies_.velocity[driven.body] = kinematics_.velocity[driven.body] = moving.velocity;
+    kinematics_.angular_velocity[driven.body] = kinematics_.mean_angular_velocity[driven.body] =
+        moving.angular_velocity;
+  }
+  rebuild();
+  evaluate_pairs();
+  gather(0.0);
+  kinematics_.time_step = setup.time_step;
+}
+
+void Simulation::Engine::make_room() {
+  kinematics_.bodies = &bodies_;
+  kinematics_.velocity.resize(bodies_.size());
+  kinematics_.angular_velocity.resize(bodies_.size());
+  kinematics_.mean_angular_velocity.resize(bodies_.size());
+  kinematics_.travel.assign(bodies_.size(), 0.0);
+  step_travel_.assign(bodies_.size(), 0.0);
+  scratch_.resize(static_cast<std::size_t>(threads_.count()));
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (!bodies_.is_free(i)) driven_.push_back({i, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+}
+
+void Simulation::Engine::step() {
+  {
+    const StageClock clock(times_.move);
+    move();
+  }
+  ++steps_;
+  const double most = *std::max_element(kinematics_.travel.begin(), kinematics_.travel.end());
+  if (most > 0.5 * world_.skin) {
+    const StageClock clock(times_.broad);
+    rebuild();
+  }
+  evaluate_pairs();
+  const StageClock clock(times_.gather);
+  gather(0.5 * world_.setup.time_step);
+  for (const Driven& driven : driven_)
+    driven_work_ -= 0.5 * ((driven.force + bodies_.force[driven.body]).dot(driven.displacement) +
+                           (driven.torque + bodies_.torque[driven.body]).dot(driven.turn));
+}
+
+void Simulation::Engine::move() {
+  threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (bodies_.is_free(i)) move_free(i);
+  });
+  for (Driven& driven : driven_) move_driven(driven);
+  const double most = 0.5 * world_.least_half_width;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (step_travel_[i] <= most) continue;  // false for NaN too
+    const double step = step_travel_[i];
+    const std::string body = "body " + std::to_string(i);
+    ++steps_;
+    throw StepError(when() + body +
+                    (std::isfinite(step)
+                         ? " moved " + number(step) + " m in one step, more than half of the least half width " +
+                               number(world_.least_half_width) + " m of all particles"
+                         : " has a position or velocity that is not finite"));
+  }
+}
+
+void Simulation::Engine::move_free(std::size_t i) {
+  const double dt = world_.setup.time_step, half = 0.5 * dt;
+  const Vec3 kick = half * (bodies_.force[i] / bodies_.mass[i] + world_.setup.gravity);
+  const Vec3 torque_kick = half * (bodies_.orientation[i].conjugate() * bodies_.torque[i]);
+  const Vec3 velocity = bodies_.velocity[i] + kick;
+  const Vec3 way = dt * velocity;
+  bodies_.velocity[i] = velocity;
+  bodies_.position[i] += way;
+  const Turn turn =
+      rotate_free({.orientation = bodies_.orientation[i], .momentum = bodies_.angular_momentum[i] + torque_kick},
+                  bodies_.inertia[i], dt);
+  bodies_.orientation[i] = turn.spin.orientation;
+  bodies_.angular_momentum[i] = turn.spin.momentum;
+  kinematics_.velocity[i] = velocity + kick;
+  kinematics_.mean_angular_velocity[i] = turn.mean_velocity;
+  kinematics_.angular_velocity[i] =
+      turn.spin.orientation * (turn.spin.momentum + torque_kick).cwiseQuotient(bodies_.inertia[i]);
+  const double radius = world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius;
+  const double step = way.norm() + dt * radius * turn.mean_velocity.norm();
+  step_travel_[i] = step;
+  kinematics_.travel[i] += step;
+}
+
+void Simulation::Engine::move_driven(Driven& driven) {
+  const std::size_t i = driven.body;
+  const double dt = world_.setup.time_step;
+  const BodyStart& start = world_.setup.bodies[i];
+  const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose,
+                                static_cast<double>(steps_ + 1) * dt);
+  driven.displacement = moving.pose.position - bodies_.position[i];
+  driven.turn = dt * moving.angular_velocity;
+  driven.force = bodies_.force[i];
+  driven.torque = bodies_.torque[i];
+  bodies_.position[i] = moving.pose.position;
+  bodies_.orientation[i] = moving.pose.orientation;
+  bodies_.velocity[i] = driven.displacement / dt;
+  kinematics_.velocity[i] = moving.velocity;
+  kinematics_.angular_velocity[i] = kinematics_.mean_angular_velocity[i] = moving.angular_velocity;
+  step_travel_[i] = wall_travel(i, driven.displacement, driven.turn);
+  kinematics_.travel[i] += step_travel_[i];
+}
+
+/// How far the surface of a driven body moved where particles are, at most. A wall that slides or turns in itself does
+/// not move.
+double Simulation::Engine::wall_travel(std::size_t body, const Vec3& displacement, const Vec3& turn) const {
+  const BodyShape& shape = world_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
+  if (is_particle(shape.shape)) return displacement.norm() + turn.norm() * shape.bounding_radius;
+  const double arm = extent_ + (bodies_.position[body] - centre_).norm();
+  const Vec3 axis = bodies_.orientation[body] * Vec3::UnitZ();
+  if (std::holds_alternative<HalfSpace>(shape.shape))
+    return std::fabs(displacement.dot(axis)) + turn.cross(axis).norm() * arm;
+  if (std::holds_alternative<Cylinder>(shape.shape))
+    return displacement.cross(axis).norm() + turn.cross(axis).norm() * arm;
+  return displacement.norm();
+}
+
+void Simulation::Engine::rebuild() {
+  ++rebuilds_;
+  const PeriodicBox& box = world_.setup.box;
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_.is_free(i)) continue;
+    if (box.repeats()) {
+      const Vec3 inside = wrapped(box, bodies_.position[i]);
+      gravity_wrapped_ += bodies_.mass[i] * world_.setup.gravity.dot(inside - bodies_.position[i]);
+      bodies_.position[i] = inside;
+    }
+    lower = lower.cwiseMin(bodies_.position[i]);
+    upper = upper.cwiseMax(bodies_.position[i]);
+  }
+  centre_ = 0.5 * (lower + upper);
+  double largest = 0.0;
+  for (const BodyShape& shape : world_.shapes)
+    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
+  extent_ = 0.5 * (upper - lower).norm() + largest + world_.skin;
+  pairs_ = make_pair_list(std::move(pairs_), world_, kinematics_);
+  std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
+}
+
+void Simulation::Engine::evaluate_pairs() {
+  threads_.for_blocks(pairs_.chunks.size(), 1, [&](std::size_t begin, std::size_t) {
+    evaluate(pairs_.chunks[begin], world_, kinematics_, scratch_[Threads::current()]);
+  });
+  for (const PairChunk& chunk : pairs_.chunks)
+    if (chunk.fault != Fault::none) stop_at(chunk);
+}
+
+void Simulation::Engine::gather(double kick_time) {
+  threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) gather_body(i, kick_time);
+  });
+}
+
+void Simulation::Engine::gather_body(std::size_t i, double kick_time) {
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  const PeriodicBox& box = world_.setup.box;
+  for (std::uint64_t k = pairs_.first[i]; k < pairs_.first[i + 1]; ++k) {
+    const Incidence& incidence = pairs_.incidences[k];
+    const PairChunk& chunk = pairs_.chunks[incidence.chunk];
+    const std::int32_t slot = chunk.slot[incidence.pair_and_side / 2];
+    if (slot == Slots::unused) continue;
+    const auto at = static_cast<std::size_t>(slot);
+    const double sign = incidence.pair_and_side % 2 == 0 ? 1.0 : -1.0;
+    const Vec3 push = sign * chunk.slots.force[at];
+    Vec3 arm = chunk.slots.point[at] - bodies_.position[i];
+    if (sign < 0.0 && box.repeats()) arm += nearest_image_shift(box, arm);
+    force += push;
+    torque += arm.cross(push);
+    if (!chunk.slots.couple.empty()) torque += sign * chunk.slots.couple[at];
+  }
+  bodies_.force[i] = force;
+  bodies_.torque[i] = torque;
+  if (!bodies_.is_free(i)) return;
+  bodies_.velocity[i] += kick_time * (force / bodies_.mass[i] + world_.setup.gravity);
+  bodies_.angular_momentum[i] += kick_time * (bodies_.orientation[i].conjugate() * torque);
+}
+
+std::string Simulation::Engine::when() const {
+  return "step " + std::to_string(steps_) + ", t = " + number(time()) + " s: ";
+}
+
+void Simulation::Engine::stop_at(const PairChunk& chunk) const {
+  const BodyPair& pair = chunk.fault_pair;
+  const std::string bodies = "bodies " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
+  switch (chunk.fault) {
+    case Fault::too_deep:
+      throw StepError(when() + bodies + " overlap by " + number(chunk.fault_overlap) +
+                      " m, more than a quarter of the smaller one's half width");
+    case Fault::degenerate:
+      throw StepError(when() + bodies + " have a pose that is not finite");
+    case Fault::not_converged:
+      throw StepError(when() + "no common normal was found for " + bodies);
+    default:
+      throw StepError(when() + "the contact law gave no answer for " + bodies + " at an overlap of " +
+                      number(chunk.fault_overlap) + " m");
+  }
+}
+
+EnergyLedger Simulation::Engine::energy() const {
+  EnergyLedger energy{};
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_.is_free(i)) continue;
+    energy.kinetic += 0.5 * bodies_.mass[i] * bodies_.velocity[i].squaredNorm();
+    energy.rotational +=
+        0.5 * bodies_.angular_momentum[i].dot(bodies_.angular_momentum[i].cwiseQuotient(bodies_.inertia[i]));
+    energy.gravity -= bodies_.mass[i] * world_.setup.gravity.dot(bodies_.position[i]);
+  }
+  energy.gravity += gravity_wrapped_;
+  energy.viscous_loss = pairs_.viscous_loss;
+  energy.friction_loss = pairs_.friction_loss;
+  energy.hysteresis_loss = pairs_.hysteresis_loss;
+  for (const PairChunk& chunk : pairs_.chunks) {
+    energy.stored_normal += chunk.stored_normal;
+    energy.stored_tangential += chunk.stored_tangential;
+    energy.viscous_loss += chunk.viscous_loss;
+    energy.friction_loss += chunk.friction_loss;
+    energy.hysteresis_loss += chunk.hysteresis_loss;
+  }
+  energy.driven_work = driven_work_;
+  return energy;
+}
+
+StepCounts Simulation::Engine::counts() const {
+  StepCounts counts{};
+  for (const PairChunk& chunk : pairs_.chunks) {
+    counts.candidates += chunk.pairs.size();
+    counts.checked += static_cast<std::uint64_t>(chunk.checked);
+    counts.contacts += static_cast<std::uint64_t>(chunk.contacts);
+  }
+  counts.rebuilds = rebuilds_;
+  return counts;
+}
+
+StageTimes Simulation::Engine::times() const {
+  StageTimes times = times_;
+  for (const ChunkScratch& scratch : scratch_) {
+    times.narrow += scratch.narrow_seconds;
+    times.law += scratch.law_seconds;
+  }
+  return times;
+}
+
+}  // namespace osculate

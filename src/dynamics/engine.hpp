@@ -1,0 +1,68 @@
+#pragma once
+// What is behind a Simulation: the state and the stages of a step.
+
+#include <optional>
+
+#include "dynamics/pair_list.hpp"
+#include "dynamics/parallel.hpp"
+#include "osculate/dynamics/simulation.hpp"
+
+namespace osculate {
+
+class Simulation::Engine {
+ public:
+  explicit Engine(const Setup& setup);
+  Engine(const Setup& setup, const State& state);
+
+  void step();
+
+  double time() const { return static_cast<double>(steps_) * world_.setup.time_step; }
+  std::uint64_t steps() const { return steps_; }
+  const World& world() const { return world_; }
+  const Bodies& bodies() const { return bodies_; }
+  const PairList& pairs() const { return pairs_; }
+  EnergyLedger energy() const;
+  StepCounts counts() const;
+  StageTimes times() const;
+  std::size_t memory_bytes() const;
+  State state() const;
+
+ private:
+  struct Driven {
+    std::size_t body;
+    Vec3 displacement, turn;  ///< of the last step: [m], [rad]
+    Vec3 force, torque;       ///< at its beginning
+  };
+
+  void make_room();
+  void move();
+  void move_free(std::size_t i);
+  void move_driven(Driven& driven);
+  double wall_travel(std::size_t body, const Vec3& displacement, const Vec3& turn) const;
+  void rebuild();
+  void evaluate_pairs();
+  void gather(double kick_time);
+  void gather_body(std::size_t i, double kick_time);
+  [[noreturn]] void stop_at(const PairChunk& chunk) const;
+  std::string when() const;
+
+  template <class Self, class Visitor>
+  static void visit_state(Self& self, Visitor& visitor);
+
+  World world_;
+  Bodies bodies_;
+  Kinematics kinematics_;
+  PairList pairs_;
+  std::vector<Driven> driven_;
+  std::vector<double> step_travel_;  ///< of each body in the last step [m]
+  double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]
+  Vec3 centre_ = Vec3::Zero();
+  double driven_work_ = 0.0;      ///< [J]
+  double gravity_wrapped_ = 0.0;  ///< gravity's energy that wrapping positions took away [J]
+  std::uint64_t steps_ = 0, rebuilds_ = 0;
+  Threads threads_;
+  std::vector<ChunkScratch> scratch_;  ///< one a thread
+  StageTimes times_;
+};
+
+}  // namespace osculate

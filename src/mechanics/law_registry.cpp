@@ -1,0 +1,233 @@
+#include "osculate/mechanics/law_registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "mechanics/laws/batched.hpp"
+#include "mechanics/laws/composed.hpp"
+#include "mechanics/laws/laws.hpp"
+#include "osculate/core/error.hpp"
+
+namespace osculate {
+namespace {
+
+constexpr const char* place = "contact law";
+
+/// Slot by slot, the usual choice first.
+const std::array registry{
+    &laws::hertz,
+    &laws::hertz_sphere,
+    &laws::linear,
+    &laws::walton_braun,
+    &laws::jkr,
+    &laws::dmt,
+    &laws::greenwood_williamson,
+    &laws::jamari_schipper,
+    &laws::brilliantov,
+    &laws::tsuji,
+    &laws::kuwabara_kono,
+    &laws::linear_dashpot,
+    &laws::dashpot,
+    &laws::mindlin,
+    &laws::cundall_strack,
+    &laws::di_renzo,
+    &laws::tsuji_tangential,
+    &laws::langston,
+    &laws::zheng,
+    &laws::walton_braun_friction,
+    &laws::sliding,
+    &laws::viscous_friction,
+    &laws::viscous_sliding,
+    &laws::twisting,
+    &laws::vermeulen_johnson,
+    &laws::kalker,
+};
+
+const laws::Law* find(std::string_view name) {
+  const auto found =
+      std::ranges::find_if(registry, [&](const laws::Law* law) { return law->description.name == name; });
+  return found == registry.end() ? nullptr : *found;
+}
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", value);
+  return buffer;
+}
+
+/// " name" of each: the end of "one of".
+template <class List, class Name>
+std::string listed(const List& list, const Name& name) {
+  std::string text = "one of";
+  for (const auto& item : list) text.append(1, ' ').append(name(item));
+  return text;
+}
+
+std::string quoted(std::string_view text) {
+  std::string result(1, '"');
+  result += text;
+  return result += '"';
+}
+
+const laws::Law& known(std::string_view name) {
+  if (const laws::Law* law = find(name)) return *law;
+  throw InputError(place, "a law " + quoted(name),
+                   listed(registry, [](const laws::Law* law) { return law->description.name; }));
+}
+
+/// The choice with every parameter in it.
+ChosenLaw completed(const ChosenLaw& chosen, const LawDescription& law) {
+  const std::string where = place + std::string(" ") + std::string(law.name);
+  ChosenLaw result{chosen.name, {}};
+  for (const LawParameter& parameter : law.parameters) {
+    const auto given = chosen.parameters.find(std::string(parameter.name));
+    const bool found = given != chosen.parameters.end();
+    if (!found && !parameter.standard)
+      throw InputError(where, "no " + quoted(parameter.name),
+                       std::string(parameter.meaning) + ", " + parameter.range() + " " + std::string(parameter.unit));
+    const double value = found ? given->second : *parameter.standard;
+    if (!parameter.allows(value))
+      throw InputError(where, quoted(parameter.name) + " = " + number(value),
+                       parameter.range() + " " + std::string(parameter.unit));
+    result.parameters.emplace(parameter.name, value);
+  }
+  for (const auto& [name, value] : chosen.parameters) {
+    if (result.parameters.contains(name)) continue;
+    throw InputError(where, "a parameter " + quoted(name),
+                     law.parameters.empty()
+                         ? "none: the law has no parameters"
+                         : listed(law.parameters, [](const LawParameter& parameter) { return parameter.name; }));
+  }
+  return result;
+}
+
+bool excludes(const LawConflict& conflict, const LawDescription& other) {
+  if (conflict.other != other.name && conflict.other != name(other.slot)) return false;
+  return std::ranges::find(conflict.but, other.name) == conflict.but.end();
+}
+
+void refuse_conflicts(const LawDescription& law, const LawDescription& other) {
+  for (const LawConflict& conflict : law.conflicts)
+    if (excludes(conflict, other))
+      throw InputError(place, quoted(law.name) + " with " + quoted(other.name),
+                       "another choice: " + std::string(conflict.reason));
+}
+
+/// The checked choice, by slot.
+std::vector<ChosenLaw> checked(const LawChoice& choice) {
+  std::array<const LawDescription*, law_slots> by_slot{};
+  std::vector<ChosenLaw> result;
+  for (const ChosenLaw& chosen : choice) {
+    const LawDescription& law = known(chosen.name).description;
+    const LawDescription*& slot = by_slot[static_cast<std::size_t>(law.slot)];
+    if (slot != nullptr)
+      throw InputError(place, quoted(slot->name) + " and " + quoted(law.name),
+                       "one law of the slot " + quoted(name(law.slot)));
+    slot = &law;
+    result.push_back(completed(chosen, law));
+  }
+  if (by_slot[static_cast<std::size_t>(LawSlot::normal)] == nullptr)
+    throw InputError(place, "no normal law", "one of the slot \"normal\", for instance hertz");
+  for (const LawDescription* law : by_slot)
+    for (const LawDescription* other : by_slot)
+      if (law != nullptr && other != nullptr && law != other) refuse_conflicts(*law, *other);
+  std::ranges::sort(result, {}, [](const ChosenLaw& law) { return law_named(law.name).slot; });
+  return result;
+}
+
+/// Where a law replaces the normal force, the normal law itself has nothing to do.
+bool replaces_normal(LawSlot slot) {
+  return slot == LawSlot::adhesion || slot == LawSlot::roughness || slot == LawSlot::plasticity;
+}
+
+ContactLaw scalar_law(const std::vector<ChosenLaw>& chosen, const ElasticMaterial& material_1,
+                      const ElasticMaterial& material_2) {
+  const bool replaced =
+      std::ranges::any_of(chosen, [](const ChosenLaw& law) { return replaces_normal(law_named(law.name).slot); });
+  std::vector<laws::BoundPart> parts;
+  for (const ChosenLaw& law : chosen) {
+    const laws::Law& entry = known(law.name);
+    if (replaced && entry.description.slot == LawSlot::normal) continue;
+    parts.push_back({entry.bind({material_1, material_2, law.parameters}), entry.description.memory});
+  }
+  return laws::composed(parts);
+}
+
+}  // namespace
+
+std::string_view name(LawSlot slot) {
+  switch (slot) {
+    case LawSlot::normal:
+      return "normal";
+    case LawSlot::adhesion:
+      return "adhesion";
+    case LawSlot::roughness:
+      return "roughness";
+    case LawSlot::plasticity:
+      return "plasticity";
+    case LawSlot::dissipation:
+      return "dissipation";
+    case LawSlot::tangential:
+      return "tangential";
+    case LawSlot::twisting:
+      return "twisting";
+    case LawSlot::rolling:
+      return "rolling";
+  }
+  return "unknown";
+}
+
+bool LawParameter::allows(double value) const {
+  if (!std::isfinite(value)) return false;
+  return (value > least || (value == least && least_bound == Bound::included)) &&
+         (value < most || (value == most && most_bound == Bound::included));
+}
+
+std::string LawParameter::range() const {
+  const bool low = std::isfinite(least), high = std::isfinite(most);
+  const bool with_least = least_bound == Bound::included, with_most = most_bound == Bound::included;
+  char text[64] = "any number";
+  if (low && high)
+    std::snprintf(text, sizeof text, "in %c%g, %g%c", with_least ? '[' : '(', least, most, with_most ? ']' : ')');
+  else if (low)
+    std::snprintf(text, sizeof text, "%s %g", with_least ? ">=" : ">", least);
+  else if (high)
+    std::snprintf(text, sizeof text, "%s %g", with_most ? "<=" : "<", most);
+  return text;
+}
+
+std::span<const LawDescription* const> law_registry() {
+  static const auto descriptions = [] {
+    std::array<const LawDescription*, registry.size()> result{};
+    std::ranges::transform(registry, result.begin(), [](const laws::Law* law) { return &law->description; });
+    return result;
+  }();
+  return descriptions;
+}
+
+const LawDescription& law_named(std::string_view name) {
+  return known(name).description;
+}
+
+ContactLaw make_contact_law(const LawChoice& choice, const ElasticMaterial& material_1,
+                            const ElasticMaterial& material_2) {
+  validate(material_1);
+  validate(material_2);
+  const std::vector<ChosenLaw> chosen = checked(choice);
+  laws::ChosenBySlot by_slot;
+  for (const ChosenLaw& law : chosen) by_slot.emplace(law_named(law.name).slot, &law);
+  if (auto law = laws::batched(by_slot, material_1, material_2)) return *law;
+  return scalar_law(chosen, material_1, material_2);
+}
+
+ContactLaw make_contact_law_scalar(const LawChoice& choice, const ElasticMaterial& material_1,
+                                   const ElasticMaterial& material_2) {
+  validate(material_1);
+  validate(material_2);
+  return scalar_law(checked(choice), material_1, material_2);
+}
+
+}  // namespace osculate

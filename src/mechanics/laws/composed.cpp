@@ -1,0 +1,118 @@
+#include "mechanics/laws/composed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace osculate::laws {
+namespace {
+
+Vec3 at(const Vectors<const double>& columns, std::size_t i) {
+  return columns.x.empty() ? Vec3::Zero() : Vec3(columns.x[i], columns.y[i], columns.z[i]);
+}
+
+double at(std::span<const double> column, std::size_t i) {
+  return column.empty() ? 0.0 : column[i];
+}
+
+void put(const Vec3& value, const Vectors<double>& columns, std::size_t i) {
+  if (columns.x.empty()) return;
+  columns.x[i] = value.x(), columns.y[i] = value.y(), columns.z[i] = value.z();
+}
+
+template <class Value>
+void put(Value value, std::span<Value> column, std::size_t i) {
+  if (!column.empty()) column[i] = value;
+}
+
+Contact contact_at(const LawInput& input, std::size_t i) {
+  Contact contact{};
+  contact.R_j = input.R_j[i];
+  contact.R_i = std::min(input.R_i[i], largest_radius_ratio * contact.R_j);
+  contact.overlap = input.overlap[i];
+  contact.normal = at(input.normal, i);
+  contact.major = at(input.major_axis, i);
+  contact.minor = contact.normal.cross(contact.major);
+  const Vec3 velocity = at(input.velocity, i);
+  contact.rate = -velocity.dot(contact.normal);
+  contact.velocity = {velocity.dot(contact.major), velocity.dot(contact.minor)};
+  contact.reduced_mass = at(input.reduced_mass, i);
+  contact.effective_radius = at(input.effective_radius, i);
+  contact.time_step = input.time_step;
+  contact.angular_velocity = at(input.angular_velocity, i);
+  contact.spin = at(input.mean_angular_velocity, i).dot(contact.normal) * input.time_step;
+  return contact;
+}
+
+bool is_sound(const Contact& contact, const LawInput& input, std::size_t i, const LawNeeds& needs) {
+  const double all = std::fabs(contact.overlap) + std::fabs(contact.rate) + contact.normal.cwiseAbs().sum() +
+                     contact.major.cwiseAbs().sum() + std::fabs(contact.velocity.x) + std::fabs(contact.velocity.y) +
+                     contact.angular_velocity.cwiseAbs().sum() + std::fabs(contact.spin);
+  if (!std::isfinite(all)) return false;
+  if (!(contact.R_j > 0.0) || !std::isfinite(contact.R_j) || !(input.R_i[i] >= contact.R_j)) return false;
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  return (!needs.reduced_mass || positive(contact.reduced_mass)) &&
+         (!needs.effective_radius || positive(contact.effective_radius));
+}
+
+LawStatus status_of(const Contact& contact, const LawInput& input, std::size_t i) {
+  if (!contact.converged) return LawStatus::not_converged;
+  if (!contact.closed) return LawStatus::open;
+  const bool large = !input.smallest_radius.empty() && !(contact.a_c < 0.5 * input.smallest_radius[i]);
+  return large ? LawStatus::large_contact : LawStatus::closed;
+}
+
+void write(const Contact& contact, LawStatus status, const LawOutput& output, std::size_t i) {
+  put(Vec3(contact.force.x * contact.major + contact.force.y * contact.minor - contact.normal_force() * contact.normal),
+      output.force, i);
+  put(contact.couple, output.couple, i);
+  output.normal_force[i] = contact.normal_force();
+  output.status[i] = status;
+  put(contact.a_c, output.a_c, i);
+  put(contact.axis_ratio, output.axis_ratio, i);
+  put(contact.stiffness, output.stiffness, i);
+  put(contact.stored_normal, output.stored_normal, i);
+  put(contact.stored_tangential, output.stored_tangential, i);
+  put(contact.viscous_loss, output.viscous_loss, i);
+  put(contact.friction_loss, output.friction_loss, i);
+  put(contact.hysteresis_loss, output.hysteresis_loss, i);
+}
+
+Contact nothing() {
+  Contact contact{};
+  contact.normal = contact.major = contact.minor = Vec3::Zero();
+  return contact;
+}
+
+}  // namespace
+
+ContactLaw composed(const std::vector<BoundPart>& parts) {
+  ContactLaw::Traits traits;
+  for (const auto& [part, memory] : parts) {
+    traits.memory_size += memory;
+    traits.needs.angular_velocity |= part.needs.angular_velocity;
+    traits.needs.mean_angular_velocity |= part.needs.mean_angular_velocity;
+    traits.needs.reduced_mass |= part.needs.reduced_mass;
+    traits.needs.effective_radius |= part.needs.effective_radius;
+    traits.makes_couples |= part.makes_couples;
+    if (part.range) traits.range = part.range;
+  }
+  const auto evaluation = [parts, needs = traits.needs, size = traits.memory_size](
+                              const LawInput& input, double* memory, const LawOutput& output) {
+    for (std::size_t i = 0; i < input.R_i.size(); ++i) {
+      Contact contact = contact_at(input, i);
+      if (!is_sound(contact, input, i, needs)) {
+        write(nothing(), LawStatus::bad_input, output, i);
+        continue;
+      }
+      double* first = memory + i / law_lanes * law_lanes * size + i % law_lanes;
+      for (const auto& [part, length] : parts) {
+        part.step(contact, Memory(first));
+        first += length * law_lanes;
+      }
+      write(contact, status_of(contact, input, i), output, i);
+    }
+  };
+  return {traits, evaluation};
+}
+
+}  // namespace osculate::laws

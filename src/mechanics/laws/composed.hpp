@@ -1,0 +1,19 @@
+#pragma once
+// Parts run one after the other, contact by contact.
+
+#include <vector>
+
+#include "mechanics/laws/law_part.hpp"
+
+namespace osculate::laws {
+
+/// A part and how many doubles it remembers.
+struct BoundPart {
+  Part part;
+  std::size_t memory;
+};
+
+/// In the order of their slots.
+ContactLaw composed(const std::vector<BoundPart>& parts);
+
+}  // namespace osculate::laws

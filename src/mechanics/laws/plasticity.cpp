@@ -1,0 +1,109 @@
+// Contacts that yield.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mechanics/laws/elastic.hpp"
+#include "mechanics/laws/laws.hpp"
+#include "osculate/mechanics/jamari_schipper.hpp"
+
+namespace osculate::laws {
+namespace {
+
+constexpr auto excluded = LawParameter::Bound::excluded;
+constexpr std::array parameters{
+    LawParameter{.name = "hardness",
+                 .symbol = "H",
+                 .unit = "Pa",
+                 .meaning = "of the softer body",
+                 .least = 0.0,
+                 .least_bound = excluded},
+    LawParameter{.name = "yield_factor",
+                 .symbol = "K_v",
+                 .unit = "",
+                 .meaning = "peak pressure at first yield over H",
+                 .least = 0.0,
+                 .least_bound = excluded},
+    LawParameter{.name = "plastic_factor",
+                 .symbol = "c_h",
+                 .unit = "",
+                 .meaning = "mean pressure of fully plastic contact over H, at least 2/3 K_v",
+                 .least = 0.0,
+                 .least_bound = excluded},
+    LawParameter{.name = "area_ratio",
+                 .symbol = "c_A",
+                 .unit = "",
+                 .meaning = "area at full plasticity over that at first yield",
+                 .least = 5.0},
+    LawParameter{.name = "largest_radius_ratio",
+                 .symbol = "R_i/R_j",
+                 .unit = "",
+                 .meaning = "up to which it is proved at set-up that no energy is created",
+                 .least = 1.0,
+                 .standard = 1e3}};
+constexpr std::array<std::string_view, 1> elliptical{"hertz"};
+constexpr std::array conflicts{LawConflict{"normal", "its elastic contact is the elliptical one of hertz", elliptical}};
+
+/// What loading from one largest overlap to the next takes beyond what unloading gives back: Simpson's rule on the
+/// loading curve past first yield, exact for what is linear and to the fourth order else.
+template <class Loading>
+double flow_loss(const Loading& loading, double first_yield, double from, double to) {
+  const double start = std::max(from, first_yield);
+  if (!(to > start)) return 0.0;
+  const auto at_start = loading(start), at_end = loading(to);
+  const double middle = loading(0.5 * (start + to)).force;
+  return (to - start) / 6.0 * (at_start.force + 4.0 * middle + at_end.force) -
+         (at_end.strain_energy - at_start.strain_energy);
+}
+
+Part bind(const Binding& binding) {
+  const double modulus = effective_modulus(binding.material_1, binding.material_2);
+  const jamari_schipper::Plasticity plasticity{.hardness = binding["hardness"],
+                                               .yield_factor = binding["yield_factor"],
+                                               .plastic_factor = binding["plastic_factor"],
+                                               .area_ratio = binding["area_ratio"]};
+  jamari_schipper::validate(plasticity, binding["largest_radius_ratio"]);
+  return {.step = [modulus, plasticity](Contact& contact, Memory memory) {
+    contact.closed = contact.overlap > 0.0;
+    if (!contact.closed) {
+      memory[0] = 0.0;
+      return;
+    }
+    const auto pressed = [&](double overlap, jamari_schipper::Memory& largest) {
+      return jamari_schipper::contact(contact.R_i, contact.R_j, modulus, plasticity, overlap, largest);
+    };
+    jamari_schipper::Memory largest{memory[0]};
+    const auto state = pressed(contact.overlap, largest);
+    contact.ellipse = contact_ellipse(contact.R_i, contact.R_j);
+    contact.axis_ratio = contact.ellipse.axis_ratio;
+    contact.a_c = std::sqrt(state.area / (std::numbers::pi * contact.axis_ratio));
+    contact.elastic = contact.friction_load = state.force;
+    contact.stiffness = state.stiffness;
+    contact.stored_normal = state.strain_energy;
+    if (largest.largest_overlap > memory[0]) {
+      const double yield = jamari_schipper::limits(contact.R_i, contact.R_j, modulus, plasticity).first_yield;
+      const auto loading = [&](double overlap) {
+        jamari_schipper::Memory virgin;
+        return pressed(overlap, virgin);
+      };
+      contact.hysteresis_loss += flow_loss(loading, yield, memory[0], largest.largest_overlap);
+    }
+    memory[0] = largest.largest_overlap;
+  }};
+}
+
+}  // namespace
+
+const Law jamari_schipper{{.name = "jamari_schipper",
+                           .slot = LawSlot::plasticity,
+                           .title = "Elastic, elastic-plastic and plastic, with unloading",
+                           .formula = "F = p(δ) A(δ) on loading, Hertz on flattened surfaces below the largest overlap",
+                           .equations = "(41)-(46)",
+                           .source = "JS06, JS06b",
+                           .parameters = parameters,
+                           .memory = 1,
+                           .conflicts = conflicts},
+                          bind};
+
+}  // namespace osculate::laws

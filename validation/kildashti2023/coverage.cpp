@@ -1,0 +1,153 @@
+#include "validation/kildashti2023/coverage.hpp"
+
+#include <fmt/core.h>
+
+#include "io/table.hpp"
+
+namespace osculate::validation::kildashti2023 {
+
+const std::array<Coverage, equations>& coverage() {
+  static constexpr std::array<Coverage, equations> table{{
+      {1, "hertz::force", "Force and area are those of the review's gamma and beta"},
+      {2, "effective_modulus", "Two spheres give classical Hertz"},
+      {3, "relative_curvature",
+       "Relative radii follow eqs. (3) and (4) for any angle between the principal directions"},
+      {4, "relative_curvature",
+       "Relative radii follow eqs. (3) and (4) for any angle between the principal directions"},
+      {5, "principal_curvatures", "Principal curvatures are the extremes of the turning of the normal"},
+      {6, "principal_curvatures", "Principal curvatures are the extremes of the turning of the normal"},
+      {7, "principal_curvatures", "An ellipsoid's vertex has curvatures c/a² and c/b²"},
+      {8, "principal_curvatures", "Principal curvatures are the extremes of the turning of the normal"},
+      {9, "principal_curvatures", "Principal curvatures are the extremes of the turning of the normal"},
+      {10, "principal_curvatures", "Principal curvatures are the extremes of the turning of the normal"},
+      {11, "ContactEllipse::gamma", "The contact ellipse agrees with 40-digit reference values in every digit asked"},
+      {12, "ContactEllipse::beta", "The contact ellipse agrees with 40-digit reference values in every digit asked"},
+      {13, "contact_ellipse", "The contact ellipse satisfies its equation in Carlson's forms from ratio 1 to 1e12"},
+      {14, "contact_ellipse_approximate", "The review's approximate axis ratio errs by what is documented"},
+      {15, "gauge", "A point over its gauge lies on the superquadric of eq. (15)"},
+      {16, "implicit_value", "The potential of eq. (16) is minus one at the centre and has the derivatives it states"},
+      {17, "CurvatureModel::gaussian", "Two flat faces at the cap of 10 R_vol give the review's simplified value √5"},
+      {18, "CurvatureModel::gaussian", "Two flat faces at the cap of 10 R_vol give the review's simplified value √5"},
+      {19, "johnson_greenwood::force_of", "Johnson-Greenwood states agree with the reference values"},
+      {20, "johnson_greenwood::overlap_of", "Johnson-Greenwood states agree with the reference values"},
+      {21, "johnson_greenwood::area_of", "Johnson-Greenwood states agree with the reference values"},
+      {22, "johnson_greenwood::shape_constant_major",
+       "The traction presses the half-space into the bodies' shape and carries the force"},
+      {23, "johnson_greenwood::shape_constant_minor",
+       "The traction presses the half-space into the bodies' shape and carries the force"},
+      {24, "johnson_greenwood::integral_D", "The integrals are those of their definitions"},
+      {25, "johnson_greenwood::integral_B", "The integrals are those of their definitions"},
+      {26, "johnson_greenwood::integral_C", "The integrals are those of their definitions"},
+      {27, "johnson_greenwood::gamma",
+       "At Hertz's axis ratio the traction is Hertz's, and gamma and beta become Hertz's"},
+      {28, "johnson_greenwood::beta",
+       "The printed area factor, without the factor 2 on K, misses Hertz's: erratum to (28)"},
+      {29, "greenwood_williamson::height_density", "Height integrals agree with direct quadrature for h from -4 to 8"},
+      {30, "greenwood_williamson::asperity_force", "A rough patch sums its asperities"},
+      {31, "greenwood_williamson::asperity_area", "A rough patch sums its asperities"},
+      {32, "greenwood_williamson::patch_at", "A rough patch sums its asperities"},
+      {33, "greenwood_williamson::pressure", "A rough patch sums its asperities"},
+      {34, "greenwood_williamson::area_fraction", "A rough patch sums its asperities"},
+      {35, "greenwood_williamson::height_integrals", "The Bessel form of (35) holds for h > 0"},
+      {36, "greenwood_williamson::mean_compression", "The mean compression has erfc and exp(-h^2/2): erratum to (36)"},
+      {37, "brilliantov::dissipative_force", "The Hertzian dissipative force is the review's (37)"},
+      {38, "brilliantov::dissipative_time", "The dissipative time has the dimension of one and refuses bad constants"},
+      {39, "brilliantov::dissipative_force",
+       "The adhesive dissipative force is A da/dt dF/da of JKR with D = 3/(4E): erratum to (39) and (40)"},
+      {40, "brilliantov::dissipative_force_circular",
+       "The adhesive dissipative force is A da/dt dF/da of JKR with D = 3/(4E): erratum to (39) and (40)"},
+      {41, "jamari_schipper::Limits::first_yield",
+       "First yield is where Hertz's peak pressure reaches the yield pressure"},
+      {42, "jamari_schipper::contact",
+       "Circular contacts are fully plastic from half c_A times first yield, and yield as spheres do"},
+      {43, "jamari_schipper::contact",
+       "Circular contacts are fully plastic from half c_A times first yield, and yield as spheres do"},
+      {44, "jamari_schipper::Limits::full_plasticity",
+       "Circular contacts are fully plastic from half c_A times first yield, and yield as spheres do"},
+      {45, "jamari_schipper::contact", "Force and area are continuous at first yield and at full plasticity"},
+      {46, "jamari_schipper::contact", "Force and area are continuous at first yield and at full plasticity"},
+      {47, "jeng_wang::patch_at", "The integrals over each regime join without gap or overlap: errata to (47), (48)"},
+      {48, "jeng_wang::patch_at", "The integrals over each regime join without gap or overlap: errata to (47), (48)"},
+      {49, "jeng_wang::radius_ratio", "The radius ratio of a round contact is 1, without loss near it"},
+      {50, "jeng_wang::asperity", "An asperity's force and area are continuous, rise, and stay below hardness"},
+      {51, "jeng_wang::load", "An asperity's force and area are continuous, rise, and stay below hardness"},
+      {52, "jeng_wang::asperity", "An asperity's force and area are continuous, rise, and stay below hardness"},
+      {53, "jeng_wang::TaylorSeries",
+       "The Taylor series follows the integrals near its centre and says where it fails"},
+      {54, "polygon_energy::EnergyFunction", "Force and moment are the slopes of the energy"},
+      {55, "polygon_energy::contact", "Force and moment are the slopes of the energy"},
+      {56, "mindlin::body_compliance", "Compliances and shape factors are the reference's, along both axes"},
+      {57, "mindlin::shape_factor", "Compliances and shape factors are the reference's, along both axes"},
+      {58, "mindlin::shape_factor", "Compliances and shape factors are the reference's, along both axes"},
+      {59, "mindlin::displacement", "Force and displacement of virgin loading are inverse, and stiffness the slope"},
+      {60, "mindlin::force", "Force and displacement of virgin loading are inverse, and stiffness the slope"},
+      {61, "mindlin::stiffness", "Force and displacement of virgin loading are inverse, and stiffness the slope"},
+      {62, "mindlin::OffAxis", "Between the axes the displacement is the vector sum of those along them"},
+      {63, "mindlin::stick_ratio",
+       "The ellipse of stick leaves the tangential force to the two Hertz pressures' difference"},
+      {64, "mindlin::compliance_ratio",
+       "The compliance ratio is the tangential over the normal compliance of the same contact"},
+      {65, "mindlin::sliding_displacement",
+       "Force and displacement of virgin loading are inverse, and stiffness the slope"},
+      {66, "mindlin::unloading_displacement",
+       "Errata (66),(67),(69): with total displacement the loop's area is the energy"},
+      {67, "mindlin::reloading_displacement",
+       "Errata (66),(67),(69): with total displacement the loop's area is the energy"},
+      {68, "mindlin::unloading_stiffness",
+       "Unloading starts stiff at the peak and joins the mirrored virgin curve at its foot"},
+      {69, "mindlin::cycle_energy", "Errata (66),(67),(69): with total displacement the loop's area is the energy"},
+      {70, "mindlin::oblique_loading_compliance",
+       "Errata (70),(71): oblique compliances are the slopes of the oblique paths"},
+      {71, "mindlin::oblique_unloading_compliance",
+       "Errata (70),(71): oblique compliances are the slopes of the oblique paths"},
+      {72, "mindlin::oblique_displacement", "The general law follows oblique loading, unloading and reloading"},
+      {73, "mindlin::oblique_unloading_displacement",
+       "Erratum (73): unloading is continuous where all earlier slip is forgotten"},
+      {74, "mindlin::oblique_reloading_displacement",
+       "The general law follows oblique loading, unloading and reloading"},
+      {75, "mindlin::oblique_cycle_energy",
+       "Erratum (75): the oblique loop's energy is the integral with a changing contact radius"},
+      {76, "mindlin::small_cycle_energy", "Erratum (76): a small cycle loses energy as the cube of its amplitude"},
+      {77, "twisting::compliance",
+       "Erratum (77): the torsional compliance holds G and a_c cubed, as the reference has it"},
+      {78, "hisakado::asperity_compliance",
+       "Erratum (78): against a rigid flat an asperity's compliance is (2−ν)/(8 G a)"},
+      {79, "hisakado::tangential_force",
+       "Errata (79),(81): the rough tangential force is the sum of the asperities' Mindlin forces"},
+      {80, "hisakado::sliding_interference", "The rough contact starts at its stiffness and slides at μF_n"},
+      {81, "hisakado::asperity_contact_radius",
+       "Errata (79),(81): the rough tangential force is the sum of the asperities' Mindlin forces"},
+      {82, "hisakado::sliding_share", "The rough contact starts at its stiffness and slides at μF_n"},
+      {83, "hisakado::normal_force", "The rough contact starts at its stiffness and slides at μF_n"},
+      {84, "hisakado::stiffness",
+       "Erratum (84): the Bessel form with √π/(4√(2h)) is the height integral for positive h"},
+      {85, "brilliantov::tangential_dissipative_force",
+       "Tangential dissipation is the viscous time times the slope of Mindlin's law: erratum to (85)"},
+      {86, "kalker::linear_force", "Errata (86)-(88): forces go with the area, not with its square"},
+      {87, "kalker::linear_force", "Errata (86)-(88): forces go with the area, not with its square"},
+      {88, "kalker::linear_force", "Errata (86)-(88): forces go with the area, not with its square"},
+      {89, "kalker::Creepage::longitudinal", "A ball rolling on a plane has the creepages of its speed and spin"},
+      {90, "kalker::Creepage::lateral", "A ball rolling on a plane has the creepages of its speed and spin"},
+      {91, "kalker::Creepage::spin", "A ball rolling on a plane has the creepages of its speed and spin"},
+      {92, "vermeulen_johnson::creepage", "Force and creepage are inverse up to sliding"},
+      {93, "vermeulen_johnson::force", "Rolling friction saturates at μF_n against the creepage, without a kink"},
+  }};
+  return table;
+}
+
+std::string coverage_text() {
+  io::Table text{{"equation", "function", "test"}, {}, 3};
+  const auto& rows = coverage();
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t last = i;
+    while (last + 1 < rows.size() && rows[last + 1].function == rows[i].function && rows[last + 1].test == rows[i].test)
+      ++last;
+    text.rows.push_back({last == i ? fmt::format("({})", rows[i].equation)
+                                   : fmt::format("({})–({})", rows[i].equation, rows[last].equation),
+                         std::string(rows[i].function), std::string(rows[i].test)});
+    i = last + 1;
+  }
+  return io::to_text(text);
+}
+
+}  // namespace osculate::validation::kildashti2023
