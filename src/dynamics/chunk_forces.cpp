@@ -73,7 +73,7 @@ void fill_shapes(const PairChunk& chunk, const World& world, const Bodies& bodie
 void copy_caches(const ContactCaches& from, ContactCaches& to, const std::vector<std::int32_t>& rows) {
   to.resize(rows.size());
   for (Index row = 0; row < rows.size(); ++row) to.states[row] = from.states[index_of(rows[row])];
-  for (Index k = 0; k < 12; ++k) {
+  for (Index k = 0; k < ContactCaches::width; ++k) {
     const double* source = from.columns[k];
     double* target = to.columns[k];
     for (Index row = 0; row < rows.size(); ++row) target[row] = source[index_of(rows[row])];
@@ -82,7 +82,7 @@ void copy_caches(const ContactCaches& from, ContactCaches& to, const std::vector
 
 void return_caches(const ContactCaches& from, ContactCaches& to, const std::vector<std::int32_t>& rows) {
   for (Index row = 0; row < rows.size(); ++row) to.states[index_of(rows[row])] = from.states[row];
-  for (Index k = 0; k < 12; ++k) {
+  for (Index k = 0; k < ContactCaches::width; ++k) {
     const double* source = from.columns[k];
     double* target = to.columns[k];
     for (Index row = 0; row < rows.size(); ++row) target[index_of(rows[row])] = source[row];

@@ -25,7 +25,7 @@ struct Header {
 struct Totals {
   double viscous_loss, friction_loss, hysteresis_loss, stored_normal, stored_tangential, stiffest;
 };
-using Cache = std::array<double, 12>;
+using Cache = std::array<double, ContactCaches::width>;
 
 /// Stores one vector after another under one name.
 class ChunkWriter {

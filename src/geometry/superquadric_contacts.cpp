@@ -439,7 +439,7 @@ void ContactCaches::set(std::size_t i, const ContactCache& cache) {
   states[i] = cache.state;
   const Vec3* vectors[] = {&cache.point_1,  &cache.normal_1, &cache.point_2,
                            &cache.normal_2, &cache.shape_1,  &cache.shape_2};
-  for (std::size_t k = 0; k < 18; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
+  for (std::size_t k = 0; k < width; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
 }
 
 void ContactColumns::resize(std::size_t size) {

@@ -51,8 +51,9 @@ struct SuperquadricPairs {
 
 /// A ContactCache for every pair. Columns, three each: point 1, normal 1, point 2, normal 2, shape 1, shape 2.
 struct ContactCaches {
+  static constexpr std::size_t width = 18;
   std::vector<ContactCache::State> states;
-  Columns<18> columns;
+  Columns<width> columns;
 
   /// New entries are empty.
   void resize(std::size_t size);
