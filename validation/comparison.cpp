@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/table.hpp"
-
 namespace osculate::validation {
 
 Interval rounded(double value, int decimals) {
@@ -41,9 +39,8 @@ Comparison compare(std::string item, std::string quantity, std::optional<Printed
   return {std::move(item), std::move(quantity), printed, computed, range, verdict, {}};
 }
 
-std::string to_text(const ReproducedTable& table) {
-  const auto lines = [](const std::vector<std::string>& of) { return fmt::format("{}\n", fmt::join(of, "\n")); };
-  io::Table columns{{"case", "quantity", "printed", "computed", "range", "difference", "verdict", "note"}, {}};
+io::Table columns_of(const ReproducedTable& table) {
+  io::Table columns{{"case", "quantity", "printed", "computed", "range", "difference", "verdict", "note"}, {}, 2};
   for (const auto& row : table.rows) {
     const bool both = row.printed && row.computed;
     columns.rows.push_back({row.item, row.quantity,
@@ -53,7 +50,13 @@ std::string to_text(const ReproducedTable& table) {
                             both ? fmt::format("{:+.3f} %", 100.0 * (*row.computed / row.printed->value - 1.0)) : "–",
                             name(row.verdict), row.remark});
   }
-  return fmt::format("{}\n\n{}\n{}\n{}", table.title, lines(table.preamble), io::to_text(columns), lines(table.notes));
+  return columns;
+}
+
+std::string to_text(const ReproducedTable& table) {
+  const auto lines = [](const std::vector<std::string>& of) { return fmt::format("{}\n", fmt::join(of, "\n")); };
+  return fmt::format("{}\n\n{}\n{}\n{}", table.title, lines(table.preamble), io::to_text(columns_of(table)),
+                     lines(table.notes));
 }
 
 std::string to_json(const ReproducedTable& table) {

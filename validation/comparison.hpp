@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/table.hpp"
+
 namespace osculate::validation {
 
 /// A number known only to lie between two bounds, such as a printed one.
@@ -54,6 +56,9 @@ struct ReproducedTable {
   std::vector<Comparison> rows;
   std::vector<std::string> notes;  ///< each discrepancy and gap, explained
 };
+
+/// case | quantity | printed | computed | range | difference | verdict | note
+io::Table columns_of(const ReproducedTable& table);
 
 std::string to_text(const ReproducedTable& table);
 std::string to_json(const ReproducedTable& table);

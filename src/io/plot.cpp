@@ -17,7 +17,8 @@ namespace {
 
 // A panel and what surrounds it, in units of an SVG pixel.
 constexpr double panel_width = 560, panel_height = 400, title_height = 40;
-constexpr double left = 84, right = 22, bottom = 62, top_with_title = 38, top_without = 16;
+constexpr double left = 84, right = 22, bottom = 68, top_with_title = 38, top_without = 16;
+constexpr double axis_height = 58;  // its numbers and label
 constexpr double font_size = 13, character_width = 7.6, line_height = 19, sample_width = 44;
 constexpr double png_scale = 2;
 
@@ -86,28 +87,20 @@ void describe_axis(std::string& script, char name, const Axis& axis, const PlotR
     fmt::format_to(back_inserter(script), "unset logscale {0}\nset format {0} '%h'\nset {0}tics autofreq\n", name);
     return;
   }
-  // Powers of ten need decades to be readable; over less than two, plain numbers are.
-  const bool decades = range.high / range.low >= 100.0;
-  fmt::format_to(back_inserter(script), "set logscale {0}\nset format {0} '{1}'\nset {0}tics autofreq\n", name,
-                 decades ? "10^{%T}" : "%h");
-}
-
-const char* key_position(Legend legend) {
-  switch (legend) {
-    case Legend::none:
-      break;
-    case Legend::top_left:
-      return "set key inside top left reverse Left";
-    case Legend::top_right:
-      return "set key inside top right noreverse Right";
-    case Legend::bottom_left:
-      return "set key inside bottom left reverse Left";
-    case Legend::bottom_right:
-      return "set key inside bottom right noreverse Right";
-    case Legend::below:
-      return "set key outside below center horizontal reverse Left";
+  fmt::format_to(back_inserter(script), "set logscale {0}\n", name);
+  if (range.high / range.low >= 100.0) {
+    fmt::format_to(back_inserter(script), "set format {0} '10^{{%T}}'\nset {0}tics autofreq\n", name);
+    return;
   }
-  return "unset key";
+  // Over less than two decades powers of ten would leave a tic or two: 1, 2, 5 and their tenfolds.
+  std::string tics;
+  for (double decade = std::pow(10.0, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10.0) {
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double at = digit * decade;
+      if (at >= range.low && at <= range.high) tics += fmt::format("{}{:.10g}", tics.empty() ? "" : ", ", at);
+    }
+  }
+  fmt::format_to(back_inserter(script), "set format {0} '%g'\nset {0}tics ({1})\n", name, tics);
 }
 
 struct LegendText {
@@ -128,15 +121,36 @@ double legend_width(const LegendText& text) {
   return character_width * static_cast<double>(text.longest) + sample_width + 16;
 }
 
+/// Whole picture [px].
+struct Size {
+  double width, height;
+};
+
 /// Where a panel stands in the whole [px], from the upper left corner.
 struct Frame {
   double left, top, width, height;
 };
 
-/// Whole picture [px].
-struct Size {
-  double width, height;
-};
+/// gnuplot's key. Below, it stands under the x axis' label, in as many columns as there is room for.
+std::string key(Legend legend, const Frame& frame, double plot_height, double columns, const Size& whole) {
+  switch (legend) {
+    case Legend::none:
+      break;
+    case Legend::top_left:
+      return "set key inside top left vertical reverse Left maxcols 1";
+    case Legend::top_right:
+      return "set key inside top right vertical noreverse Right maxcols 1";
+    case Legend::bottom_left:
+      return "set key inside bottom left vertical reverse Left maxcols 1";
+    case Legend::bottom_right:
+      return "set key inside bottom right vertical noreverse Right maxcols 1";
+    case Legend::below:
+      return fmt::format("set key at screen {:.6f},{:.6f} center top horizontal reverse Left maxcols {:.0f}",
+                         (frame.left + 0.5 * frame.width) / whole.width,
+                         1.0 - (frame.top + plot_height + axis_height) / whole.height, columns);
+  }
+  return "unset key";
+}
 
 void describe_panel(std::string& script, const Panel& panel, std::size_t number, const Frame& frame,
                     const Size& whole) {
@@ -146,10 +160,8 @@ void describe_panel(std::string& script, const Panel& panel, std::size_t number,
   const LegendSize size{legend_width(text) / frame.width,
                         (line_height * static_cast<double>(text.lines) + 14) / frame.height};
   const Legend legend = place_legend(panel, range, size);
-  if (legend == Legend::below) {
-    const double per_row = std::max(1.0, std::floor(frame.width / legend_width(text)));
-    plot_height -= line_height * std::ceil(static_cast<double>(text.lines) / per_row) + 8;
-  }
+  const double columns = std::max(1.0, std::floor(frame.width / legend_width(text)));
+  if (legend == Legend::below) plot_height -= line_height * std::ceil(static_cast<double>(text.lines) / columns) + 8;
 
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
     const Curve& curve = panel.curves[i];
@@ -165,7 +177,7 @@ void describe_panel(std::string& script, const Panel& panel, std::size_t number,
   fmt::format_to(back_inserter(script), "set title {}\n", literal(panel.title));
   describe_axis(script, 'x', panel.x, range.x);
   describe_axis(script, 'y', panel.y, range.y);
-  fmt::format_to(back_inserter(script), "{}\nunset label\n", key_position(legend));
+  fmt::format_to(back_inserter(script), "{}\nunset label\n", key(legend, frame, plot_height, columns, whole));
   for (const auto& note : panel.notes)
     fmt::format_to(back_inserter(script),
                    "set label {} at {:.17g},{:.17g} point pt 6 ps 1 lc rgb '#303030' offset 0.8,0.7 front\n",
@@ -203,8 +215,11 @@ std::string script_of(const Plot& plot, Format format) {
                    "set terminal pngcairo enhanced size {},{} font 'DejaVu Sans,{}' linewidth {} pointscale {} "
                    "background '#ffffff'\n",
                    png_scale * width, png_scale * height, font_points(format), png_scale, png_scale);
+  // The SVG terminal stands labels a line further from the axis than cairo does.
+  if (format == Format::svg) script += "set xlabel offset 0,0.4\n";
   script +=
-      "set border 3 lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset grid lw 0.7 dt 1 lc rgb '#d9dde1'\n"
+      "set border 3 lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset grid lt 1 lw 0.8 dt 1 lc rgb "
+      "'#d0d5da'\n"
       "set key samplen 2.4 spacing 1.15 noautotitle\nset style data lines\n";
   script += plot.title.empty()
                 ? "set multiplot\n"

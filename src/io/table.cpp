@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "io/markdown.hpp"
+
 namespace osculate::io {
 namespace {
 
@@ -38,6 +40,19 @@ std::string to_text(const Table& table) {
   text += std::string(total, '-') + '\n';
   for (const auto& row : table.rows) write(row);
   return text;
+}
+
+std::string to_html(const Table& table) {
+  std::string html = "<table>\n";
+  const auto write = [&](const std::vector<std::string>& row, const std::string& cell) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += "<" + cell + (i < table.words ? ">" : " class=\"number\">") + escape_html(row[i]) + "</" + cell + ">";
+    html += "</tr>\n";
+  };
+  write(table.header, "th");
+  for (const auto& row : table.rows) write(row, "td");
+  return html + "</table>\n";
 }
 
 std::string to_text(const std::vector<Property>& properties) {

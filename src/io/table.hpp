@@ -18,6 +18,9 @@ struct Table {
 /// The table as text, ending in a newline. Widths count code points, so that δ and ° keep the columns straight.
 std::string to_text(const Table& table);
 
+/// The table for a page, numbers to the right.
+std::string to_html(const Table& table);
+
 /// A name and what belongs to it.
 struct Property {
   std::string name;

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "io/table.hpp"
+#include <string>
 
 namespace osculate::validation::kildashti2023 {
 
@@ -135,7 +135,7 @@ const std::array<Coverage, equations>& coverage() {
   return table;
 }
 
-std::string coverage_text() {
+io::Table coverage_table() {
   io::Table text{{"equation", "function", "test"}, {}, 3};
   const auto& rows = coverage();
   for (std::size_t i = 0; i < rows.size();) {
@@ -147,7 +147,7 @@ std::string coverage_text() {
                          std::string(rows[i].function), std::string(rows[i].test)});
     i = last + 1;
   }
-  return io::to_text(text);
+  return text;
 }
 
 }  // namespace osculate::validation::kildashti2023

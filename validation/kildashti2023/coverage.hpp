@@ -2,8 +2,9 @@
 // Where each equation of the review [KDY23] lives in the library, and which test holds it.
 
 #include <array>
-#include <string>
 #include <string_view>
+
+#include "io/table.hpp"
 
 namespace osculate::validation::kildashti2023 {
 
@@ -19,6 +20,6 @@ struct Coverage {
 const std::array<Coverage, equations>& coverage();
 
 /// equation | function | test, neighbours with the same function and test in one line.
-std::string coverage_text();
+io::Table coverage_table();
 
 }  // namespace osculate::validation::kildashti2023
