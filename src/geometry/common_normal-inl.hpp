@@ -352,7 +352,8 @@ struct Effort {
   double shortest_step;  ///< so does a failure to descend with steps of this size
   int newtons;           ///< most Newton steps
 };
-constexpr Effort hasty{16, 0.5, 1e-3, 10};
+constexpr Effort hasty{1, 0.7, 1e-3, 10};
+constexpr Effort brisk{6, 0.5, 1e-3, 10};
 constexpr Effort usual{16, 0.05, 1e-3, 10};
 constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
 

@@ -108,23 +108,38 @@ HWY_NOINLINE std::uint64_t check_direction(const Rows& rows) {
   return bits(apart);
 }
 
+/// Where a descent starts.
+enum class Origin {
+  nothing,  ///< the best of a few directions
+  cache,    ///< of these and the cached one
+};
+
+/// Leaves the best direction in the cache where it finds no answer.
 template <class Real, class Lift, class Support>
-HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Gap gap) {
+HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Origin origin) {
   const auto problem = problem_of<Real>(rows);
   const auto lifts = problem.template as<Lift>();
   const auto supports = problem.template as<Support>();
+  V3<Real> start = first_direction(lifts, supports);
+  if (origin == Origin::cache) {
+    const Touch<Real> last = read_touch<Real>(problem, rows);
+    const V3<Real> cached = normalised(last.normal_1 - last.normal_2);
+    start = select(overlap_along(supports, cached) < overlap_along(supports, start), cached, start);
+  }
   Real least(0.0);
-  const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), effort, least);
-  MaskType<Real> apart = !(least == least);
-  if (gap == Gap::skip) {
-    apart = least < Real(0.0);
-    write_separation(problem, touch, least, apart, rows);
-    if (all(apart)) return bits(apart);
+  const Touch<Real> touch = descend(lifts, supports, start, effort, least);
+  MaskType<Real> solved = !(least == least);
+  if (rows.tables.gap == Gap::skip) {
+    solved = least < Real(0.0);
+    write_separation(problem, touch, least, solved, rows);
+    if (all(solved)) return bits(solved);
   }
   const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, effort.newtons);
-  const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !apart;
+  const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !solved;
   write_answer(problem, answer, good, rows);
-  return gap == Gap::skip ? bits(good | apart) : bits(good);
+  solved = solved | good;
+  if (!all(solved)) write_touch(problem, touch, (least == least) & !solved, rows);
+  return bits((least == least) & solved);
 }
 
 /// The axes of both bodies, both ways: where the usual start fails.
@@ -330,7 +345,7 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
-  const Tables tables{pairs, caches, contacts};
+  const Tables tables{pairs, caches, contacts, gap};
   const std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
   const auto by_stage = [&](const std::vector<Index>& rows) {
     std::array<Work, stages> work;
@@ -352,18 +367,21 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
 
   const std::vector<Index> no_longer = unsolved;  // in contact, or apart, as their caches said
 
-  const auto cold = [&]<class Lift, class Support>(const Work& work, const Effort& effort, std::vector<Index>& left) {
+  const auto cold = [&]<class Lift, class Support>(const Work& work, const Effort& effort, Origin origin,
+                                                   std::vector<Index>& left) {
     in_batches<Real>(tables, work, left,
-                     [&](const Rows& rows) { return solve_cold<Real, Lift, Support>(rows, effort, gap); });
+                     [&](const Rows& rows) { return solve_cold<Real, Lift, Support>(rows, effort, origin); });
   };
-  cold.template operator()<Ellipsoid, EllipsoidSupport>(first[cold_twos], usual, hard);
-  cold.template operator()<Whole, BluntSupport>(first[cold_whole], hasty, unsolved);
-  cold.template operator()<Implicit, BluntSupport>(first[cold_blunt], hasty, unsolved);
-  cold.template operator()<Sharp, SharpSupport>(first[cold_sharp], usual, hard);
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(first[cold_twos], usual, Origin::nothing, hard);
+  cold.template operator()<Whole, BluntSupport>(first[cold_whole], hasty, Origin::nothing, unsolved);
+  cold.template operator()<Implicit, BluntSupport>(first[cold_blunt], hasty, Origin::nothing, unsolved);
+  cold.template operator()<Sharp, SharpSupport>(first[cold_sharp], usual, Origin::nothing, hard);
   const auto again = by_stage(unsolved);
-  cold.template operator()<Ellipsoid, EllipsoidSupport>(again[cold_twos], usual, hard);
-  cold.template operator()<Blunt, BluntSupport>(again[cold_blunt], usual, hard);
-  cold.template operator()<Sharp, SharpSupport>(again[cold_sharp], usual, hard);
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(again[cold_twos], usual, Origin::cache, hard);
+  Work third;
+  cold.template operator()<Implicit, BluntSupport>(again[cold_blunt], brisk, Origin::cache, third.rows);
+  cold.template operator()<Blunt, BluntSupport>(third, usual, Origin::cache, hard);
+  cold.template operator()<Sharp, SharpSupport>(again[cold_sharp], usual, Origin::cache, hard);
   in_batches<Real>(tables, {{}, hard}, none, solve_hard<Real>);
 
   const auto prove = [&](Index i) {

@@ -26,6 +26,7 @@ struct Tables {
   const SuperquadricPairs& pairs;
   ContactCaches& caches;
   ContactColumns& contacts;
+  Gap gap;
 };
 
 /// A batch of their rows, one after another.
@@ -48,13 +49,13 @@ class Gathered {
       caches_.states[i] = tables.caches.states[row];
     }
   }
-  Rows rows() { return {{pairs_, caches_, contacts_}, 0}; }
+  Rows rows(Gap gap) { return {{pairs_, caches_, contacts_, gap}, 0}; }
 
-  /// What was found goes back, lane by lane.
+  /// What was found goes back, lane by lane, and what may help to find the rest.
   void give_back(std::uint64_t found, const Tables& tables, std::span<const Index> rows) const {
     for (Index i = 0; i < rows.size(); ++i) {
-      if ((found >> i & 1U) == 0) continue;
       copy(caches_.columns, i, tables.caches.columns, rows[i]);
+      if ((found >> i & 1U) == 0) continue;
       copy(contacts_.columns, i, tables.contacts.columns, rows[i]);
       tables.caches.states[rows[i]] = caches_.states[i];
       tables.contacts.statuses[rows[i]] = contacts_.statuses[i];
@@ -92,7 +93,7 @@ void in_batches(const Tables& tables, const Work& work, std::vector<Index>& unso
   for (Index start = 0; start < work.rows.size(); start += width) {
     const auto rows = std::span(work.rows).subspan(start, std::min(width, work.rows.size() - start));
     Gathered gathered(tables, rows, width);
-    const std::uint64_t found = solve(gathered.rows());
+    const std::uint64_t found = solve(gathered.rows(tables.gap));
     gathered.give_back(found, tables, rows);
     collect(found, rows.size(), [&](Index i) { return rows[i]; });
   }
@@ -289,6 +290,7 @@ HWY_INLINE void set_rows(Value value, MaskOfReal wanted, std::vector<Value>& val
   for (std::uint64_t set = bits(wanted); set != 0; set &= set - 1) row[std::countr_zero(set)] = value;
 }
 
+/// With Gap::skip a gap's points and normals serve as a proof of separation from now on.
 template <class Real>
 HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, MaskType<Real> wanted,
                                const Rows& rows) {
@@ -337,6 +339,8 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
 
   const MaskType<Real> gap = answer.overlap < zero, flat = relative.min * problem.length < Real(flat_curvature);
   set_rows(ContactCache::State::contact, wanted, rows.tables.caches.states, rows);
+  if (rows.tables.gap == Gap::skip)
+    set_rows(ContactCache::State::separation, wanted & gap, rows.tables.caches.states, rows);
   set_rows(ContactStatus::touching, wanted, rows.tables.contacts.statuses, rows);
   set_rows(ContactStatus::flat, wanted & flat, rows.tables.contacts.statuses, rows);
   set_rows(ContactStatus::separated, wanted & gap, rows.tables.contacts.statuses, rows);
