@@ -12,6 +12,9 @@ void add_contact(CLI::App& program);
 /// `shape`: what a shape is, as numbers, files and pictures.
 void add_shape(CLI::App& program);
 
+/// `law`: the laws of contact, listed, explained, evaluated.
+void add_law(CLI::App& program);
+
 /// `bench`: what a contact costs on this machine.
 void add_bench(CLI::App& program);
 

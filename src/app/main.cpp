@@ -20,10 +20,12 @@ constexpr const char* first_steps =
   osculate shape rice --picture rice.png                   a shape of the catalogue in numbers and as a picture
   osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
+  osculate law mindlin --set friction=0.3 --picture loop.png   a law of contact, along a cycle of slip
   osculate review table1                                   the review's Table 1: printed against computed
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate study halfspace                                 where two radii of curvature are not enough
+  osculate study curvature                                 what one radius a body costs
   osculate bench narrow                                    what a contact costs on this machine
   osculate bench laws                                      what its force law costs
 
@@ -37,6 +39,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   osculate::app::add_contact(program);
   osculate::app::add_shape(program);
+  osculate::app::add_law(program);
   osculate::app::add_review(program);
   osculate::app::add_validate(program);
   osculate::app::add_study(program);

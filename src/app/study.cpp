@@ -1,6 +1,7 @@
 // osculate study: sweeps that show where a model holds.
 
 #include "app/commands.hpp"
+#include "app/study_curvature.hpp"
 
 #ifdef OSCULATE_HAS_FFTW
 #include <fmt/core.h>
@@ -142,6 +143,7 @@ void add_halfspace(CLI::App& study) {
 void add_study(CLI::App& program) {
   CLI::App* study = program.add_subcommand("study", "Sweep a model and see where it holds");
   study->require_subcommand(1);
+  add_curvature_study(*study);
 #ifdef OSCULATE_HAS_FFTW
   add_halfspace(*study);
 #endif

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "dynamics/contact_edge.hpp"
-#include "geometry/pair_order.hpp"
 
 namespace osculate {
 namespace {
@@ -16,90 +15,15 @@ using Index = std::size_t;
 /// Overlaps beyond this share of the smaller half width are no contact mechanics any more.
 constexpr double deepest = 0.25;
 
+/// Most of stiffness over reduced mass times the square of the time step: six steps in half a period.
+constexpr double stiffest_step = 0.25;
+
 Index index_of(std::int32_t i) {
   return static_cast<Index>(i);
 }
 
-const BodyShape& shape_of(const World& world, const Bodies& bodies, Index body) {
-  return world.shapes[index_of(bodies.shape[body])];
-}
-
-/// The multiple of the periods that brings body 2 next to body 1.
-Vec3 image_shift(const World& world, const Bodies& bodies, Index one, Index two) {
-  const PeriodicBox& box = world.setup.box;
-  if (!box.repeats()) return Vec3::Zero();
-  return nearest_image_shift(box, bodies.position[two] - bodies.position[one]);
-}
-
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-void find_awake(const PairChunk& chunk, const Kinematics& kinematics, std::vector<std::int32_t>& awake) {
-  awake.clear();
-  for (Index k = 0; k < chunk.pairs.size(); ++k) {
-    const BodyPair& pair = chunk.pairs[k];
-    const double travel = kinematics.travel[index_of(pair.first)] + kinematics.travel[index_of(pair.second)];
-    if (travel >= chunk.quiet_until[k]) awake.push_back(static_cast<std::int32_t>(k));
-  }
-}
-
-void fill_superquadrics(const PairChunk& chunk, const World& world, const Bodies& bodies,
-                        const std::vector<std::int32_t>& rows, SuperquadricPairs& pairs) {
-  pairs.resize(rows.size());
-  for (Index row = 0; row < rows.size(); ++row) {
-    const BodyPair& pair = chunk.pairs[index_of(rows[row])];
-    const Index one = index_of(pair.first), two = index_of(pair.second);
-    Pose second = bodies.pose(two);
-    second.position += image_shift(world, bodies, one, two);
-    pairs.set(row, superquadric_of(shape_of(world, bodies, one).shape), bodies.pose(one),
-              superquadric_of(shape_of(world, bodies, two).shape), second);
-  }
-}
-
-void fill_shapes(const PairChunk& chunk, const World& world, const Bodies& bodies,
-                 const std::vector<std::int32_t>& rows, ShapePairs& pairs) {
-  pairs.resize(rows.size());
-  for (Index row = 0; row < rows.size(); ++row) {
-    const BodyPair& pair = chunk.pairs[index_of(rows[row])];
-    const Index one = index_of(pair.first), two = index_of(pair.second);
-    const BodyShape &shape_1 = shape_of(world, bodies, one), &shape_2 = shape_of(world, bodies, two);
-    Pose second = bodies.pose(two);
-    second.position += image_shift(world, bodies, one, two);
-    pairs.set(row, shape_1.shape, shape_pose(shape_1, bodies.pose(one)), shape_2.shape, shape_pose(shape_2, second));
-  }
-}
-
-void copy_caches(const ContactCaches& from, ContactCaches& to, const std::vector<std::int32_t>& rows) {
-  to.resize(rows.size());
-  for (Index row = 0; row < rows.size(); ++row) to.states[row] = from.states[index_of(rows[row])];
-  for (Index k = 0; k < ContactCaches::width; ++k) {
-    const double* source = from.columns[k];
-    double* target = to.columns[k];
-    for (Index row = 0; row < rows.size(); ++row) target[row] = source[index_of(rows[row])];
-  }
-}
-
-void return_caches(const ContactCaches& from, ContactCaches& to, const std::vector<std::int32_t>& rows) {
-  for (Index row = 0; row < rows.size(); ++row) to.states[index_of(rows[row])] = from.states[row];
-  for (Index k = 0; k < ContactCaches::width; ++k) {
-    const double* source = from.columns[k];
-    double* target = to.columns[k];
-    for (Index row = 0; row < rows.size(); ++row) target[index_of(rows[row])] = source[row];
-  }
-}
-
-/// The geometry of some pairs of a chunk, with the caches in scratch.
-void solve(const PairChunk& chunk, const World& world, const Bodies& bodies, const std::vector<std::int32_t>& rows,
-           ChunkScratch& scratch, Gap gap) {
-  copy_caches(chunk.caches, scratch.caches, rows);
-  if (chunk.group.narrow_phase == NarrowPhase::superquadrics) {
-    fill_superquadrics(chunk, world, bodies, rows, scratch.superquadrics);
-    common_normals(scratch.superquadrics, scratch.caches, scratch.contacts, gap);
-  } else {
-    fill_shapes(chunk, world, bodies, rows, scratch.shapes);
-    common_normals(scratch.shapes, scratch.caches, scratch.contacts, gap);
-  }
 }
 
 void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap) {
@@ -109,40 +33,148 @@ void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap)
   chunk.fault_overlap = overlap;
 }
 
-/// Which pairs touch: gives them slots, and lets the others sleep until they could.
-void sort_out(PairChunk& chunk, const World& world, const Kinematics& kinematics, ChunkScratch& scratch) {
-  constexpr double safety = 1e-9;  // of the bodies' size: far above the round-off of a gap
-  const Bodies& bodies = *kinematics.bodies;
-  const double reach = world.reach[index_of(chunk.group.law)];
-  for (Index row = 0; row < scratch.awake.size(); ++row) {
-    const Index k = index_of(scratch.awake[row]);
-    const BodyPair& pair = chunk.pairs[k];
-    const Index one = index_of(pair.first), two = index_of(pair.second);
-    const double overlap = scratch.contacts.columns[3][row];
-    const ContactStatus status = scratch.contacts.statuses[row];
-    const BodyShape &shape_1 = shape_of(world, bodies, one), &shape_2 = shape_of(world, bodies, two);
-    if (!is_resolved(status) && !(status == ContactStatus::not_converged && overlap < -reach))
-      report(chunk, status == ContactStatus::degenerate ? Fault::degenerate : Fault::not_converged, pair, overlap);
-    if (overlap > deepest * std::min(shape_1.half_width, shape_2.half_width))
-      report(chunk, Fault::too_deep, pair, overlap);
-    if (overlap > -reach) {
-      chunk.quiet_until[k] = PairChunk::awake;
-      if (chunk.slot[k] == Slots::unused) {
-        const Index slot = take_slot(chunk, k, world.setup.interactions[index_of(chunk.group.law)].law);
-        const double mass_1 = bodies.mass[one], mass_2 = bodies.mass[two];
-        const auto reduced = [](double x, double y) { return x / (x / y + 1.0); };  // y may be ∞
-        const double infinity = std::numeric_limits<double>::infinity();
-        chunk.slots.reduced_mass[slot] =
-            bodies.is_free(one) ? reduced(mass_1, bodies.is_free(two) ? mass_2 : infinity) : mass_2;
-        chunk.slots.effective_radius[slot] = std::isfinite(shape_1.volume_radius)
-                                                 ? reduced(shape_1.volume_radius, shape_2.volume_radius)
-                                                 : shape_2.volume_radius;
-      }
-    } else {
-      const double size = std::min(shape_1.bounding_radius, shape_2.bounding_radius);
-      chunk.quiet_until[k] = kinematics.travel[one] + kinematics.travel[two] - overlap - reach - safety * size;
+/// One chunk's work in one step.
+class ChunkStep {
+ public:
+  ChunkStep(PairChunk& chunk, const World& world, const Bodies& bodies, const Kinematics& kinematics,
+            ChunkScratch& scratch)
+      : chunk_(chunk),
+        world_(world),
+        bodies_(bodies),
+        kinematics_(kinematics),
+        scratch_(scratch),
+        law_(world.setup.interactions[index_of(chunk.group.law)].law),
+        reach_(world.reach[index_of(chunk.group.law)]) {}
+
+  /// Those of the far pairs that touch become contacts; the others sleep until they could.
+  void watch_far() {
+    find_awake();
+    chunk_.checked = static_cast<std::int32_t>(scratch_.awake.size() + chunk_.contacts.size());
+    if (scratch_.awake.empty()) return;
+    scratch_.pairs.clear();
+    scratch_.caches.resize(scratch_.awake.size());
+    for (Index row = 0; row < scratch_.awake.size(); ++row) {
+      const FarPair& far = chunk_.far[index_of(scratch_.awake[row])];
+      scratch_.pairs.push_back(far.bodies);
+      scratch_.caches.set(row, far.cache);
     }
+    solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip);
+    // From behind, since a pair that leaves is replaced by the last one.
+    for (Index row = scratch_.awake.size(); row-- > 0;) sort_out(row);
   }
+
+  void solve_contacts() {
+    if (chunk_.contacts.size() > 0) solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip);
+  }
+
+  void apply_law();
+
+  void solve(const std::vector<BodyPair>& pairs, ContactCaches& caches, Gap gap);
+
+ private:
+  const BodyRecord& record(std::int32_t local) const {
+    return kinematics_.records[index_of(chunk_.bodies[index_of(local)])];
+  }
+  double travel(std::int32_t local) const { return kinematics_.travel[index_of(chunk_.bodies[index_of(local)])]; }
+  const BodyShape& shape(std::int32_t local) const {
+    return world_.shapes[index_of(bodies_.shape[index_of(chunk_.bodies[index_of(local)])])];
+  }
+  BodyPair global(const BodyPair& pair) const {
+    return {chunk_.bodies[index_of(pair.first)], chunk_.bodies[index_of(pair.second)]};
+  }
+  /// The multiple of the periods that brings body 2 next to body 1.
+  Vec3 image_shift(const BodyRecord& one, const BodyRecord& two) const {
+    const PeriodicBox& box = world_.setup.box;
+    if (!box.repeats()) return Vec3::Zero();
+    return nearest_image_shift(box, two.position() - one.position());
+  }
+
+  void find_awake();
+  void sort_out(Index row);
+  PairConstants constants_of(const BodyPair& pair) const;
+  void describe_motion();
+  void call_law();
+  void collect_forces();
+
+  PairChunk& chunk_;
+  const World& world_;
+  const Bodies& bodies_;
+  const Kinematics& kinematics_;
+  ChunkScratch& scratch_;
+  const ContactLaw& law_;
+  double reach_;
+};
+
+void ChunkStep::find_awake() {
+  scratch_.awake.clear();
+  for (Index k = 0; k < chunk_.far.size(); ++k) {
+    const FarPair& far = chunk_.far[k];
+    if (travel(far.bodies.first) + travel(far.bodies.second) >= far.quiet_until)
+      scratch_.awake.push_back(static_cast<std::int32_t>(k));
+  }
+}
+
+void ChunkStep::solve(const std::vector<BodyPair>& pairs, ContactCaches& caches, Gap gap) {
+  if (chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
+    constexpr Index each = SuperquadricPairs::per_body;
+    scratch_.superquadrics.resize(pairs.size());
+    double* columns[2 * each];
+    for (Index k = 0; k < 2 * each; ++k) columns[k] = scratch_.superquadrics.columns[k];
+    const bool repeats = world_.setup.box.repeats();
+    for (Index row = 0; row < pairs.size(); ++row) {
+      const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
+      for (Index k = 0; k < each; ++k) columns[k][row] = one.placed[k];
+      for (Index k = 0; k < each; ++k) columns[each + k][row] = two.placed[k];
+      if (!repeats) continue;
+      const Vec3 shift = image_shift(one, two);
+      for (Index k = 0; k < 3; ++k) columns[each + 5 + k][row] += shift[static_cast<Eigen::Index>(k)];
+    }
+    common_normals(scratch_.superquadrics, caches, scratch_.geometry, gap);
+    return;
+  }
+  scratch_.shapes.resize(pairs.size());
+  for (Index row = 0; row < pairs.size(); ++row) {
+    const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
+    const BodyShape &shape_1 = shape(pairs[row].first), &shape_2 = shape(pairs[row].second);
+    Pose second = two.pose();
+    second.position += image_shift(one, two);
+    scratch_.shapes.set(row, shape_1.shape, shape_pose(shape_1, one.pose()), shape_2.shape,
+                        shape_pose(shape_2, second));
+  }
+  common_normals(scratch_.shapes, caches, scratch_.geometry, gap);
+}
+
+PairConstants ChunkStep::constants_of(const BodyPair& pair) const {
+  const BodyPair bodies = global(pair);
+  const Index one = index_of(bodies.first), two = index_of(bodies.second);
+  const auto mass = [&](Index body) {
+    return bodies_.is_free(body) ? bodies_.mass[body] : std::numeric_limits<double>::infinity();
+  };
+  const auto half_harmonic = [](double x, double y) { return 1.0 / (1.0 / x + 1.0 / y); };  // one may be ∞
+  const double radius_1 = shape(pair.first).volume_radius, radius_2 = shape(pair.second).volume_radius;
+  return {.reduced_mass = half_harmonic(mass(one), mass(two)),
+          .effective_radius = half_harmonic(radius_1, radius_2),
+          .radius_cap = world_.setup.radius_cap * std::min(radius_1, radius_2)};
+}
+
+void ChunkStep::sort_out(Index row) {
+  constexpr double safety = 1e-9;  // of the bodies' size: far above the round-off of a gap
+  const Index k = index_of(scratch_.awake[row]);
+  FarPair& far = chunk_.far[k];
+  const double overlap = scratch_.geometry.columns[3][row];
+  const ContactStatus status = scratch_.geometry.statuses[row];
+  if (!is_resolved(status) && !(status == ContactStatus::not_converged && overlap < -reach_))
+    report(chunk_, status == ContactStatus::degenerate ? Fault::degenerate : Fault::not_converged, global(far.bodies),
+           overlap);
+  far.cache = scratch_.caches.get(row);
+  if (overlap > -reach_) {
+    append_contact(chunk_.contacts, far.bodies, far.cache, constants_of(far.bodies), law_);
+    far = chunk_.far.back();
+    chunk_.far.pop_back();
+    return;
+  }
+  const double size = std::min(shape(far.bodies.first).bounding_radius, shape(far.bodies.second).bounding_radius);
+  far.quiet_until = travel(far.bodies.first) + travel(far.bodies.second) - overlap - reach_ - safety * size;
 }
 
 Vec3 column_vector(const ContactColumns& contacts, Index first, Index row) {
@@ -154,179 +186,226 @@ Vectors<double> vectors(Columns<N>& columns, Index first, Index size) {
   return {{columns[first], size}, {columns[first + 1], size}, {columns[first + 2], size}};
 }
 template <Index N>
-Vectors<const double> vectors(const Columns<N>& columns, Index first, Index size) {
+Vectors<const double> const_vectors(const Columns<N>& columns, Index first, Index size) {
   return {{columns[first], size}, {columns[first + 1], size}, {columns[first + 2], size}};
 }
 
-void put(double* const* columns, Index first, Index i, const Vec3& v) {
-  columns[first][i] = v.x();
-  columns[first + 1][i] = v.y();
-  columns[first + 2][i] = v.z();
+void put(double* const* columns, Index i, const Vec3& v) {
+  columns[0][i] = v.x();
+  columns[1][i] = v.y();
+  columns[2][i] = v.z();
 }
 
-/// Columns of LawInput, slot by slot.
-enum In : Index { R_i, R_j, overlap, smallest_radius, normal, major_axis = 7, velocity = 10, angular = 13, mean = 16 };
-
-void fill_law_input(PairChunk& chunk, const World& world, const Kinematics& kinematics, ChunkScratch& scratch) {
-  const Index size = chunk.slots.size();
-  const Bodies& bodies = *kinematics.bodies;
-  const double reach = world.reach[index_of(chunk.group.law)];
-  scratch.law_in.resize(size);
-  double* in[19];
-  for (Index k = 0; k < 19; ++k) in[k] = scratch.law_in[k];
-  const ContactColumns& contacts = scratch.contacts;
-  for (Index slot = 0; slot < size; ++slot) {
-    const bool in_reach = scratch.row[slot] >= 0 && contacts.columns[3][index_of(scratch.row[slot])] > -reach;
-    if (!in_reach) {
-      // A gap that was proved but not resolved has neither points nor curvatures, an unused slot nothing at all.
-      for (double* column : in) column[slot] = 0.0;
-      in[R_i][slot] = in[R_j][slot] = in[smallest_radius][slot] = in[normal][slot] = in[major_axis + 1][slot] = 1.0;
-      in[overlap][slot] = -1.0;
-      continue;
-    }
-    const Index row = index_of(scratch.row[slot]);
-    const BodyPair& pair = chunk.pairs[index_of(chunk.slots.owner[slot])];
-    const Index one = index_of(pair.first), two = index_of(pair.second);
-    const double cap = world.setup.radius_cap *
-                       std::min(shape_of(world, bodies, one).volume_radius, shape_of(world, bodies, two).volume_radius);
-    const Vec3 n = column_vector(contacts, 0, row);
-    const Vec3 point = 0.5 * (column_vector(contacts, 4, row) + column_vector(contacts, 7, row));
-    const Vec3 arm_1 = point - bodies.position[one];
-    const Vec3 arm_2 = point - bodies.position[two] - image_shift(world, bodies, one, two);
-    const Vec3 &omega_1 = kinematics.mean_angular_velocity[one], &omega_2 = kinematics.mean_angular_velocity[two];
-    const Vec3 moved = bodies.velocity[two] + omega_2.cross(arm_2) - bodies.velocity[one] - omega_1.cross(arm_1);
-    const Vec3 now = kinematics.velocity[two] + kinematics.angular_velocity[two].cross(arm_2) -
-                     kinematics.velocity[one] - kinematics.angular_velocity[one].cross(arm_1);
-    in[R_i][slot] = std::min(contacts.columns[20][row], cap);
-    in[R_j][slot] = std::min(contacts.columns[21][row], cap);
-    in[overlap][slot] = contacts.columns[3][row];
-    const double curvature = std::max(contacts.columns[10][row], contacts.columns[15][row]);
-    in[smallest_radius][slot] = curvature * cap > 1.0 ? 1.0 / curvature : cap;
-    put(in, normal, slot, n);
-    put(in, major_axis, slot, column_vector(contacts, 22, row));
-    put(in, velocity, slot, moved + n.dot(now - moved) * n);
-    put(in, angular, slot, omega_2 - omega_1);
-    put(in, mean, slot, 0.5 * (omega_1 + omega_2));
-    chunk.slots.point[slot] = point;
-  }
+/// Columns of ContactColumns, of the motion and of the law's answer.
+namespace geometry {
+enum : Index { normal = 0, overlap = 3, on_1 = 4, on_2 = 7, R_i = 20, R_j = 21, major_axis = 22 };
 }
-
-/// Columns of LawOutput, slot by slot.
-enum Out : Index {
-  force,
+namespace motion {
+enum : Index { velocity = 0, angular = 3, mean_angular = 6 };
+}
+namespace answer {
+enum : Index {
+  force = 0,
   couple = 3,
   normal_force = 6,
   stiffness,
   stored_normal,
   stored_tangential,
-  viscous,
-  friction,
-  hysteresis
+  viscous_loss,
+  friction_loss,
+  hysteresis_loss
 };
+}
 
-void apply_law(PairChunk& chunk, const World& world, const Kinematics& kinematics, ChunkScratch& scratch) {
-  const ContactLaw& law = world.setup.interactions[index_of(chunk.group.law)].law;
-  Slots& slots = chunk.slots;
-  const Index size = slots.size();
-  const Columns<22>& in = scratch.law_in;
-  Columns<13>& out = scratch.law_out;
-  out.resize(size);
-  scratch.status.resize(size);
-  const auto one = [&](const auto& columns, Index k) { return std::span(columns[k], size); };
-  const LawInput input{.R_i = one(in, R_i),
-                       .R_j = one(in, R_j),
-                       .overlap = one(in, overlap),
-                       .normal = vectors(in, normal, size),
-                       .major_axis = vectors(in, major_axis, size),
-                       .velocity = vectors(in, velocity, size),
-                       .angular_velocity = vectors(in, angular, size),
-                       .mean_angular_velocity = vectors(in, mean, size),
-                       .reduced_mass = slots.reduced_mass,
-                       .effective_radius = slots.effective_radius,
-                       .smallest_radius = one(in, smallest_radius),
-                       .time_step = kinematics.time_step};
-  const auto column = [&](Index k) { return std::span<double>(out[k], size); };
-  const LawOutput output{.force = vectors(out, force, size),
-                         .couple = law.makes_couples() ? vectors(out, couple, size) : Vectors<double>{},
-                         .normal_force = column(normal_force),
-                         .status = scratch.status,
-                         .a_c = {},
-                         .axis_ratio = {},
-                         .stiffness = column(stiffness),
-                         .stored_normal = column(stored_normal),
-                         .stored_tangential = column(stored_tangential),
-                         .viscous_loss = column(viscous),
-                         .friction_loss = column(friction),
-                         .hysteresis_loss = column(hysteresis)};
-  law.evaluate(input, doubles_of(slots.memory), output);
-
-  chunk.contacts = 0;
-  chunk.stored_normal = chunk.stored_tangential = chunk.stiffest = 0.0;
-  for (Index slot = 0; slot < size; ++slot) {
-    if (slots.owner[slot] == Slots::unused) continue;
-    const Index k = index_of(slots.owner[slot]);
-    chunk.viscous_loss += out[viscous][slot];
-    chunk.friction_loss += out[friction][slot];
-    chunk.hysteresis_loss += out[hysteresis][slot];
-    const LawStatus status = scratch.status[slot];
-    if (status == LawStatus::bad_input || status == LawStatus::not_converged)
-      report(chunk, Fault::law_refused, chunk.pairs[k], in[overlap][slot]);
-    if (status == LawStatus::open && in[overlap][slot] <= 0.0) {
-      // Within an adhesive law's reach the pair stays awake: its memory is zero, and the slot comes again.
-      slots.owner[slot] = Slots::unused;
-      chunk.slot[k] = Slots::unused;
-      slots.force[slot] = Vec3::Zero();
+/// Arms, velocities, capped radii.
+void ChunkStep::describe_motion() {
+  const Index size = chunk_.contacts.size();
+  scratch_.arm_1.resize(size);
+  scratch_.arm_2.resize(size);
+  scratch_.motion.resize(size);
+  double* columns[9];
+  for (Index k = 0; k < 9; ++k) columns[k] = scratch_.motion[k];
+  ContactColumns& found = scratch_.geometry;
+  const bool repeats = world_.setup.box.repeats();
+  const LawNeeds& needs = law_.needs();
+  for (Index i = 0; i < size; ++i) {
+    const BodyPair& pair = chunk_.contacts.bodies[i];
+    const BodyRecord &one = record(pair.first), &two = record(pair.second);
+    const double cap = chunk_.contacts.radius_cap[i];
+    double &R_i = found.columns[geometry::R_i][i], &R_j = found.columns[geometry::R_j][i];
+    const Vec3 n = column_vector(found, geometry::normal, i);
+    if (!(R_j > 0.0)) {
+      // A gap that was proved but not resolved has neither points nor curvatures.
+      R_i = R_j = cap;
+      double* axes[] = {found.columns[geometry::major_axis], found.columns[geometry::major_axis + 1],
+                        found.columns[geometry::major_axis + 2]};
+      put(axes, i, n.unitOrthogonal());
+      for (double* column : columns) column[i] = 0.0;
+      scratch_.arm_1[i] = scratch_.arm_2[i] = Vec3::Zero();
       continue;
     }
-    ++chunk.contacts;
-    chunk.stored_normal += out[stored_normal][slot];
-    chunk.stored_tangential += out[stored_tangential][slot];
-    chunk.stiffest = std::max(chunk.stiffest, out[stiffness][slot] / slots.reduced_mass[slot]);
-    const Vec3 n(in[normal][slot], in[normal + 1][slot], in[normal + 2][slot]);
-    const Vec3 v(in[velocity][slot], in[velocity + 1][slot], in[velocity + 2][slot]);
-    const double edge = edge_force(in[overlap][slot], std::fabs(n.dot(v)) * kinematics.time_step,
-                                   out[stored_normal][slot], out[stiffness][slot]);
-    slots.force[slot] = Vec3(out[force][slot], out[force + 1][slot], out[force + 2][slot]) - edge * n;
-    if (!slots.couple.empty()) slots.couple[slot] = {out[couple][slot], out[couple + 1][slot], out[couple + 2][slot]};
+    R_i = std::min(R_i, cap);
+    R_j = std::min(R_j, cap);
+    const Vec3 point = 0.5 * (column_vector(found, geometry::on_1, i) + column_vector(found, geometry::on_2, i));
+    const Vec3 arm_1 = point - one.position();
+    Vec3 arm_2 = point - two.position();
+    if (repeats) arm_2 -= image_shift(one, two);
+    scratch_.arm_1[i] = arm_1;
+    scratch_.arm_2[i] = arm_2;
+    const Vec3 moved =
+        two.velocity + two.mean_angular_velocity.cross(arm_2) - one.velocity - one.mean_angular_velocity.cross(arm_1);
+    const Vec3 now = two.last_velocity + two.last_angular_velocity.cross(arm_2) - one.last_velocity -
+                     one.last_angular_velocity.cross(arm_1);
+    put(columns + motion::velocity, i, moved + n.dot(now - moved) * n);
+    if (needs.angular_velocity)
+      put(columns + motion::angular, i, two.mean_angular_velocity - one.mean_angular_velocity);
+    if (needs.mean_angular_velocity)
+      put(columns + motion::mean_angular, i, 0.5 * (two.mean_angular_velocity + one.mean_angular_velocity));
   }
+}
+
+void ChunkStep::call_law() {
+  Contacts& contacts = chunk_.contacts;
+  const Index size = contacts.size();
+  const ContactColumns& found = scratch_.geometry;
+  Columns<13>& out = scratch_.answer;
+  out.resize(size);
+  scratch_.status.resize(size);
+  const auto given = [&](Index k) { return std::span(found.columns[k], size); };
+  const auto column = [&](Index k) { return std::span(out[k], size); };
+  const LawInput input{.R_i = given(geometry::R_i),
+                       .R_j = given(geometry::R_j),
+                       .overlap = given(geometry::overlap),
+                       .normal = const_vectors(found.columns, geometry::normal, size),
+                       .major_axis = const_vectors(found.columns, geometry::major_axis, size),
+                       .velocity = const_vectors(scratch_.motion, motion::velocity, size),
+                       .angular_velocity = const_vectors(scratch_.motion, motion::angular, size),
+                       .mean_angular_velocity = const_vectors(scratch_.motion, motion::mean_angular, size),
+                       .reduced_mass = contacts.reduced_mass,
+                       .effective_radius = contacts.effective_radius,
+                       .smallest_radius = {},
+                       .time_step = kinematics_.time_step};
+  const LawOutput output{.force = vectors(out, answer::force, size),
+                         .couple = law_.makes_couples() ? vectors(out, answer::couple, size) : Vectors<double>{},
+                         .normal_force = column(answer::normal_force),
+                         .status = scratch_.status,
+                         .a_c = {},
+                         .axis_ratio = {},
+                         .stiffness = column(answer::stiffness),
+                         .stored_normal = column(answer::stored_normal),
+                         .stored_tangential = column(answer::stored_tangential),
+                         .viscous_loss = column(answer::viscous_loss),
+                         .friction_loss = column(answer::friction_loss),
+                         .hysteresis_loss = column(answer::hysteresis_loss)};
+  law_.evaluate(input, doubles_of(contacts.memory), output);
+}
+
+void ChunkStep::collect_forces() {
+  constexpr double safety = 1e-9;
+  Contacts& contacts = chunk_.contacts;
+  const Index size = contacts.size();
+  const ContactColumns& found = scratch_.geometry;
+  const Columns<13>& out = scratch_.answer;
+  const double dt = kinematics_.time_step;
+  scratch_.opened.clear();
+  for (Index i = 0; i < size; ++i) {
+    const BodyPair& pair = contacts.bodies[i];
+    const double overlap = found.columns[geometry::overlap][i];
+    const ContactStatus geometry_status = found.statuses[i];
+    const LawStatus status = scratch_.status[i];
+    if (!is_resolved(geometry_status) && !(geometry_status == ContactStatus::not_converged && overlap < -reach_))
+      report(chunk_, geometry_status == ContactStatus::degenerate ? Fault::degenerate : Fault::not_converged,
+             global(pair), overlap);
+    if (status == LawStatus::bad_input || status == LawStatus::not_converged)
+      report(chunk_, Fault::law_refused, global(pair), overlap);
+    if (overlap > 0.0 && overlap > deepest * std::min(shape(pair.first).half_width, shape(pair.second).half_width))
+      report(chunk_, Fault::too_deep, global(pair), overlap);
+    chunk_.viscous_loss += out[answer::viscous_loss][i];
+    chunk_.friction_loss += out[answer::friction_loss][i];
+    chunk_.hysteresis_loss += out[answer::hysteresis_loss][i];
+    if (status == LawStatus::open && overlap <= -reach_) {
+      scratch_.opened.push_back(static_cast<std::int32_t>(i));
+      continue;
+    }
+    const double stored = out[answer::stored_normal][i], stiffness = out[answer::stiffness][i];
+    chunk_.stored_normal += stored;
+    chunk_.stored_tangential += out[answer::stored_tangential][i];
+    const double stiffest = stiffness / contacts.reduced_mass[i];
+    chunk_.stiffest = std::max(chunk_.stiffest, stiffest);
+    if (stiffest * dt * dt > stiffest_step) report(chunk_, Fault::step_too_long, global(pair), overlap);
+    const Vec3 n = column_vector(found, geometry::normal, i);
+    const Vec3 v(scratch_.motion[0][i], scratch_.motion[1][i], scratch_.motion[2][i]);
+    const double edge = edge_force(overlap, std::fabs(n.dot(v)) * dt, stored, stiffness);
+    const Vec3 force = Vec3(out[0][i], out[1][i], out[2][i]) - edge * n;
+    contacts.force[i] = force;
+    Wrench &on_1 = chunk_.wrenches[index_of(pair.first)], &on_2 = chunk_.wrenches[index_of(pair.second)];
+    on_1.force += force;
+    on_2.force -= force;
+    on_1.torque += scratch_.arm_1[i].cross(force);
+    on_2.torque -= scratch_.arm_2[i].cross(force);
+    if (!law_.makes_couples()) continue;
+    const Vec3 couple(out[answer::couple][i], out[answer::couple + 1][i], out[answer::couple + 2][i]);
+    contacts.couple[i] = couple;
+    on_1.torque += couple;
+    on_2.torque -= couple;
+  }
+  for (Index k = scratch_.opened.size(); k-- > 0;) {
+    const Index i = index_of(scratch_.opened[k]);
+    const BodyPair pair = contacts.bodies[i];
+    const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
+    chunk_.far.push_back({pair,
+                          travel(pair.first) + travel(pair.second) - found.columns[geometry::overlap][i] - reach_ -
+                              safety * size_of_pair,
+                          contacts.caches.get(i)});
+    remove_contact(contacts, i, law_);
+  }
+}
+
+void ChunkStep::apply_law() {
+  chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = 0.0;
+  std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench{Vec3::Zero(), Vec3::Zero()});
+  if (chunk_.contacts.size() == 0) return;
+  describe_motion();
+  call_law();
+  collect_forces();
 }
 
 }  // namespace
 
-void evaluate(PairChunk& chunk, const World& world, const Kinematics& kinematics, ChunkScratch& scratch) {
+void evaluate(PairChunk& chunk, const World& world, const Bodies& bodies, const Kinematics& kinematics,
+              ChunkScratch& scratch) {
   const auto begin = std::chrono::steady_clock::now();
-  find_awake(chunk, kinematics, scratch.awake);
-  chunk.checked = static_cast<std::int32_t>(scratch.awake.size());
-  if (scratch.awake.empty()) return;
-  const bool resolve = world.reach[index_of(chunk.group.law)] > 0.0;
-  solve(chunk, world, *kinematics.bodies, scratch.awake, scratch, resolve ? Gap::resolve : Gap::skip);
-  return_caches(scratch.caches, chunk.caches, scratch.awake);
-  sort_out(chunk, world, kinematics, scratch);
+  ChunkStep step(chunk, world, bodies, kinematics, scratch);
+  step.watch_far();
+  step.solve_contacts();
   scratch.narrow_seconds += seconds_since(begin);
-  if (chunk.fault != Fault::none || chunk.slots.size() == 0) return;
-
   const auto middle = std::chrono::steady_clock::now();
-  scratch.row.assign(chunk.slots.size(), -1);
-  for (Index row = 0; row < scratch.awake.size(); ++row) {
-    const std::int32_t slot = chunk.slot[index_of(scratch.awake[row])];
-    if (slot != Slots::unused) scratch.row[index_of(slot)] = static_cast<std::int32_t>(row);
-  }
-  fill_law_input(chunk, world, kinematics, scratch);
-  apply_law(chunk, world, kinematics, scratch);
+  step.apply_law();
   scratch.law_seconds += seconds_since(middle);
 }
 
-ContactColumns slot_geometry(const PairChunk& chunk, const World& world, const Bodies& bodies,
-                             std::vector<std::int32_t>& slots) {
+ContactColumns geometry_of(const PairChunk& chunk, const World& world, const Bodies& bodies,
+                           const Kinematics& kinematics) {
   ChunkScratch scratch;
-  slots.clear();
-  for (Index slot = 0; slot < chunk.slots.size(); ++slot) {
-    if (chunk.slots.owner[slot] == Slots::unused) continue;
-    slots.push_back(static_cast<std::int32_t>(slot));
-    scratch.awake.push_back(chunk.slots.owner[slot]);
-  }
-  solve(chunk, world, bodies, scratch.awake, scratch, Gap::resolve);
-  return scratch.contacts;
+  PairChunk copy;
+  copy.group = chunk.group;
+  copy.bodies = chunk.bodies;
+  scratch.caches = chunk.contacts.caches;
+  ChunkStep(copy, world, bodies, kinematics, scratch).solve(chunk.contacts.bodies, scratch.caches, Gap::resolve);
+  return scratch.geometry;
+}
+
+std::array<double, 5> superquadric_numbers(const Shape& shape) {
+  return std::visit(
+      [](const auto& one) -> std::array<double, 5> {
+        if constexpr (requires { as_superquadric(one); }) {
+          const Superquadric body = as_superquadric(one);
+          return {body.half_axes.x(), body.half_axes.y(), body.half_axes.z(), body.exponents.n1, body.exponents.n2};
+        } else {
+          return {};
+        }
+      },
+      shape);
 }
 
 }  // namespace osculate

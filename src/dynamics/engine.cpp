@@ -36,17 +36,17 @@ std::string number(double value) {
 Simulation::Engine::Engine(const Setup& setup)
     : world_(make_world(setup)), bodies_(make_bodies(world_)), threads_(setup.threads) {
   make_room();
-  kinematics_.time_step = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    kinematics_.velocity[i] = bodies_.velocity[i];
-    kinematics_.angular_velocity[i] = kinematics_.mean_angular_velocity[i] = bodies_.angular_velocity(i);
+    BodyRecord& record = kinematics_.records[i];
+    record.velocity = record.last_velocity = bodies_.velocity[i];
+    record.mean_angular_velocity = record.last_angular_velocity = bodies_.angular_velocity(i);
   }
   for (const Driven& driven : driven_) {
     const BodyStart& start = world_.setup.bodies[driven.body];
     const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose, 0.0);
-    bodies_.velocity[driven.body] = kinematics_.velocity[driven.body] = moving.velocity;
-    kinematics_.angular_velocity[driven.body] = kinematics_.mean_angular_velocity[driven.body] =
-        moving.angular_velocity;
+    BodyRecord& record = kinematics_.records[driven.body];
+    bodies_.velocity[driven.body] = record.velocity = record.last_velocity = moving.velocity;
+    record.mean_angular_velocity = record.last_angular_velocity = moving.angular_velocity;
   }
   rebuild();
   evaluate_pairs();
@@ -54,16 +54,20 @@ Simulation::Engine::Engine(const Setup& setup)
   kinematics_.time_step = setup.time_step;
 }
 
+/// Everything that has one entry a body, with the bodies where they are.
 void Simulation::Engine::make_room() {
-  kinematics_.bodies = &bodies_;
-  kinematics_.velocity.resize(bodies_.size());
-  kinematics_.angular_velocity.resize(bodies_.size());
-  kinematics_.mean_angular_velocity.resize(bodies_.size());
+  kinematics_.records.resize(bodies_.size());
   kinematics_.travel.assign(bodies_.size(), 0.0);
   step_travel_.assign(bodies_.size(), 0.0);
+  listed_at_ = bodies_.position;
   scratch_.resize(static_cast<std::size_t>(threads_.count()));
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyRecord& record = kinematics_.records[i];
+    const auto numbers = superquadric_numbers(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].shape);
+    std::copy(numbers.begin(), numbers.end(), record.placed.begin());
+    record.place(bodies_.position[i], bodies_.orientation[i]);
     if (!bodies_.is_free(i)) driven_.push_back({i, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+  }
 }
 
 void Simulation::Engine::step() {
@@ -72,8 +76,7 @@ void Simulation::Engine::step() {
     move();
   }
   ++steps_;
-  const double most = *std::max_element(kinematics_.travel.begin(), kinematics_.travel.end());
-  if (most > 0.5 * world_.skin) {
+  if (list_is_stale()) {
     const StageClock clock(times_.broad);
     rebuild();
   }
@@ -83,6 +86,17 @@ void Simulation::Engine::step() {
   for (const Driven& driven : driven_)
     driven_work_ -= 0.5 * ((driven.force + bodies_.force[driven.body]).dot(driven.displacement) +
                            (driven.torque + bodies_.torque[driven.body]).dot(driven.turn));
+}
+
+/// Spheres around bodies were listed with a skin between them. What turns in its sphere does not matter.
+bool Simulation::Engine::list_is_stale() const {
+  const double most = 0.5 * world_.skin;
+  double furthest = 0.0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_.is_free(i)) furthest = std::max(furthest, (bodies_.position[i] - listed_at_[i]).squaredNorm());
+  if (furthest > most * most) return true;
+  return std::any_of(driven_.begin(), driven_.end(),
+                     [&](const Driven& driven) { return kinematics_.travel[driven.body] > most; });
 }
 
 void Simulation::Engine::move() {
@@ -118,9 +132,12 @@ void Simulation::Engine::move_free(std::size_t i) {
                   bodies_.inertia[i], dt);
   bodies_.orientation[i] = turn.spin.orientation;
   bodies_.angular_momentum[i] = turn.spin.momentum;
-  kinematics_.velocity[i] = velocity + kick;
-  kinematics_.mean_angular_velocity[i] = turn.mean_velocity;
-  kinematics_.angular_velocity[i] =
+  BodyRecord& record = kinematics_.records[i];
+  record.place(bodies_.position[i], turn.spin.orientation);
+  record.velocity = velocity;
+  record.mean_angular_velocity = turn.mean_velocity;
+  record.last_velocity = velocity + kick;
+  record.last_angular_velocity =
       turn.spin.orientation * (turn.spin.momentum + torque_kick).cwiseQuotient(bodies_.inertia[i]);
   const double radius = world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius;
   const double step = way.norm() + dt * radius * turn.mean_velocity.norm();
@@ -141,8 +158,11 @@ void Simulation::Engine::move_driven(Driven& driven) {
   bodies_.position[i] = moving.pose.position;
   bodies_.orientation[i] = moving.pose.orientation;
   bodies_.velocity[i] = driven.displacement / dt;
-  kinematics_.velocity[i] = moving.velocity;
-  kinematics_.angular_velocity[i] = kinematics_.mean_angular_velocity[i] = moving.angular_velocity;
+  BodyRecord& record = kinematics_.records[i];
+  record.place(moving.pose.position, moving.pose.orientation);
+  record.velocity = bodies_.velocity[i];
+  record.last_velocity = moving.velocity;
+  record.mean_angular_velocity = record.last_angular_velocity = moving.angular_velocity;
   step_travel_[i] = wall_travel(i, driven.displacement, driven.turn);
   kinematics_.travel[i] += step_travel_[i];
 }
@@ -171,6 +191,7 @@ void Simulation::Engine::rebuild() {
       const Vec3 inside = wrapped(box, bodies_.position[i]);
       gravity_wrapped_ += bodies_.mass[i] * world_.setup.gravity.dot(inside - bodies_.position[i]);
       bodies_.position[i] = inside;
+      kinematics_.records[i].place(inside, bodies_.orientation[i]);
     }
     lower = lower.cwiseMin(bodies_.position[i]);
     upper = upper.cwiseMax(bodies_.position[i]);
@@ -180,13 +201,14 @@ void Simulation::Engine::rebuild() {
   for (const BodyShape& shape : world_.shapes)
     if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
   extent_ = 0.5 * (upper - lower).norm() + largest + world_.skin;
-  pairs_ = make_pair_list(std::move(pairs_), world_, kinematics_);
+  pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_);
+  listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
 }
 
 void Simulation::Engine::evaluate_pairs() {
   threads_.for_blocks(pairs_.chunks.size(), 1, [&](std::size_t begin, std::size_t) {
-    evaluate(pairs_.chunks[begin], world_, kinematics_, scratch_[Threads::current()]);
+    evaluate(pairs_.chunks[begin], world_, bodies_, kinematics_, scratch_[Threads::current()]);
   });
   for (const PairChunk& chunk : pairs_.chunks)
     if (chunk.fault != Fault::none) stop_at(chunk);
@@ -200,20 +222,11 @@ void Simulation::Engine::gather(double kick_time) {
 
 void Simulation::Engine::gather_body(std::size_t i, double kick_time) {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  const PeriodicBox& box = world_.setup.box;
   for (std::uint64_t k = pairs_.first[i]; k < pairs_.first[i + 1]; ++k) {
     const Incidence& incidence = pairs_.incidences[k];
-    const PairChunk& chunk = pairs_.chunks[incidence.chunk];
-    const std::int32_t slot = chunk.slot[incidence.pair_and_side / 2];
-    if (slot == Slots::unused) continue;
-    const auto at = static_cast<std::size_t>(slot);
-    const double sign = incidence.pair_and_side % 2 == 0 ? 1.0 : -1.0;
-    const Vec3 push = sign * chunk.slots.force[at];
-    Vec3 arm = chunk.slots.point[at] - bodies_.position[i];
-    if (sign < 0.0 && box.repeats()) arm += nearest_image_shift(box, arm);
-    force += push;
-    torque += arm.cross(push);
-    if (!chunk.slots.couple.empty()) torque += sign * chunk.slots.couple[at];
+    const Wrench& wrench = pairs_.chunks[incidence.chunk].wrenches[incidence.place];
+    force += wrench.force;
+    torque += wrench.torque;
   }
   bodies_.force[i] = force;
   bodies_.torque[i] = torque;
@@ -235,6 +248,9 @@ void Simulation::Engine::stop_at(const PairChunk& chunk) const {
                       " m, more than a quarter of the smaller one's half width");
     case Fault::degenerate:
       throw StepError(when() + bodies + " have a pose that is not finite");
+    case Fault::step_too_long:
+      throw StepError(when() + "the time step is too long for the contact of " + bodies +
+                      ", which lasts less than six steps; see time_step_limits");
     case Fault::not_converged:
       throw StepError(when() + "no common normal was found for " + bodies);
     default:
@@ -270,9 +286,9 @@ EnergyLedger Simulation::Engine::energy() const {
 StepCounts Simulation::Engine::counts() const {
   StepCounts counts{};
   for (const PairChunk& chunk : pairs_.chunks) {
-    counts.candidates += chunk.pairs.size();
+    counts.candidates += chunk.far.size() + chunk.contacts.size();
     counts.checked += static_cast<std::uint64_t>(chunk.checked);
-    counts.contacts += static_cast<std::uint64_t>(chunk.contacts);
+    counts.contacts += chunk.contacts.size();
   }
   counts.rebuilds = rebuilds_;
   return counts;
@@ -285,6 +301,33 @@ StageTimes Simulation::Engine::times() const {
     times.law += scratch.law_seconds;
   }
   return times;
+}
+
+std::vector<Contact> Simulation::Engine::contacts() const {
+  std::vector<Contact> contacts;
+  for (const PairChunk& chunk : pairs_.chunks) {
+    const Contacts& pairs = chunk.contacts;
+    if (pairs.size() == 0) continue;
+    const ContactColumns geometry = geometry_of(chunk, world_, bodies_, kinematics_);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const std::int32_t one = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].first)];
+      const std::int32_t two = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].second)];
+      const ContactGeometry found = geometry.get(i);
+      const Vec3 difference =
+          bodies_.position[static_cast<std::size_t>(two)] - bodies_.position[static_cast<std::size_t>(one)];
+      const PeriodicBox& box = world_.setup.box;
+      const Vec3 shift = box.repeats() ? nearest_image_shift(box, difference) : Vec3::Zero();
+      contacts.push_back({.body_1 = one,
+                          .body_2 = two,
+                          .point = found.point(),
+                          .normal = found.normal,
+                          .overlap = found.overlap,
+                          .force = pairs.force[i],
+                          .couple = pairs.couple.empty() ? Vec3::Zero() : pairs.couple[i],
+                          .branch = difference + shift});
+    }
+  }
+  return contacts;
 }
 
 }  // namespace osculate

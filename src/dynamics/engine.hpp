@@ -20,7 +20,7 @@ class Simulation::Engine {
   std::uint64_t steps() const { return steps_; }
   const World& world() const { return world_; }
   const Bodies& bodies() const { return bodies_; }
-  const PairList& pairs() const { return pairs_; }
+  std::vector<Contact> contacts() const;
   EnergyLedger energy() const;
   StepCounts counts() const;
   StageTimes times() const;
@@ -43,6 +43,7 @@ class Simulation::Engine {
   void evaluate_pairs();
   void gather(double kick_time);
   void gather_body(std::size_t i, double kick_time);
+  bool list_is_stale() const;
   [[noreturn]] void stop_at(const PairChunk& chunk) const;
   std::string when() const;
 
@@ -55,6 +56,7 @@ class Simulation::Engine {
   PairList pairs_;
   std::vector<Driven> driven_;
   std::vector<double> step_travel_;  ///< of each body in the last step [m]
+  std::vector<Vec3> listed_at_;      ///< where each body was when the pairs were listed [m]
   double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]
   Vec3 centre_ = Vec3::Zero();
   double driven_work_ = 0.0;      ///< [J]

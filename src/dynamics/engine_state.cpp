@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
+#include <string>
 
 #include "dynamics/engine.hpp"
 #include "dynamics/state_pack.hpp"
@@ -20,163 +20,185 @@ namespace {
 
 /// A chunk's numbers of fixed count.
 struct Header {
-  std::uint64_t pairs, slots, kind, law, checked, contacts;
+  std::uint64_t bodies, far, contacts, narrow_phase, law, checked;
 };
 struct Totals {
   double viscous_loss, friction_loss, hysteresis_loss, stored_normal, stored_tangential, stiffest;
 };
-using Cache = std::array<double, ContactCaches::width>;
 
-/// Stores one vector after another under one name.
-class ChunkWriter {
- public:
-  ChunkWriter(StateWriter& writer, std::vector<PairChunk>& chunks) : writer_(writer), chunks_(chunks) {}
-
-  template <class Number, class Part, class Length>
-  void field(const std::string& name, const Part& part, const Length&) {
-    std::remove_cvref_t<decltype(part(chunks_.front()))> all;
-    for (PairChunk& chunk : chunks_) {
-      const auto& one = part(chunk);
-      all.insert(all.end(), one.begin(), one.end());
-    }
-    writer_.template array<Number>(name, all);
-  }
-
- private:
-  StateWriter& writer_;
-  std::vector<PairChunk>& chunks_;
-};
-
-/// Cuts it into the chunks' vectors again.
-class ChunkReader {
- public:
-  ChunkReader(StateReader& reader, std::vector<PairChunk>& chunks) : reader_(reader), chunks_(chunks) {}
-
-  template <class Number, class Part, class Length>
-  void field(const std::string& name, const Part& part, const Length& length) {
-    std::remove_cvref_t<decltype(part(chunks_.front()))> all;
-    reader_.template array<Number>(name, all);
-    std::size_t begin = 0;
-    for (PairChunk& chunk : chunks_) {
-      const std::size_t count = length(chunk);
-      if (all.size() - begin < count)
-        throw InputError("state", "array " + name + " that ends early", "an entry for each pair or contact");
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin);
-      part(chunk).assign(first, first + static_cast<std::ptrdiff_t>(count));
-      begin += count;
-    }
-    if (begin != all.size())
-      throw InputError("state", "array " + name + " that goes on", "an entry for each pair or contact");
-  }
-
- private:
-  StateReader& reader_;
-  std::vector<PairChunk>& chunks_;
-};
-
-template <class Fields>
-void visit_chunks(Fields& fields, const std::vector<Header>& headers, const World& world, const PairChunk* first) {
-  const auto header = [&, first](const PairChunk& chunk) -> const Header& {
-    return headers[static_cast<std::size_t>(&chunk - first)];
-  };
-  const auto pairs = [&](const PairChunk& chunk) { return header(chunk).pairs; };
-  const auto slots = [&](const PairChunk& chunk) { return header(chunk).slots; };
-  const auto law = [&](const PairChunk& chunk) -> const ContactLaw& {
-    return world.setup.interactions[header(chunk).law].law;
-  };
-  const auto lines = [&](const PairChunk& chunk) { return slots(chunk) / law_lanes * law(chunk).memory_size(); };
-  const auto couples = [&](const PairChunk& chunk) { return law(chunk).makes_couples() ? slots(chunk) : 0; };
-  fields.template field<std::int32_t>(
-      "pairs.bodies", [](PairChunk & c) -> auto& { return c.pairs; }, pairs);
-  fields.template field<double>(
-      "pairs.quiet_until", [](PairChunk & c) -> auto& { return c.quiet_until; }, pairs);
-  fields.template field<std::int32_t>(
-      "pairs.slot", [](PairChunk & c) -> auto& { return c.slot; }, pairs);
-  fields.template field<std::int32_t>(
-      "pairs.cache_state", [](PairChunk & c) -> auto& { return c.caches.states; }, pairs);
-  fields.template field<std::int32_t>(
-      "slots.owner", [](PairChunk & c) -> auto& { return c.slots.owner; }, slots);
-  fields.template field<double>(
-      "slots.memory", [](PairChunk & c) -> auto& { return c.slots.memory; }, lines);
-  fields.template field<double>(
-      "slots.reduced_mass", [](PairChunk & c) -> auto& { return c.slots.reduced_mass; }, slots);
-  fields.template field<double>(
-      "slots.effective_radius", [](PairChunk & c) -> auto& { return c.slots.effective_radius; }, slots);
-  fields.template field<double>(
-      "slots.force", [](PairChunk & c) -> auto& { return c.slots.force; }, slots);
-  fields.template field<double>(
-      "slots.point", [](PairChunk & c) -> auto& { return c.slots.point; }, slots);
-  fields.template field<double>(
-      "slots.couple", [](PairChunk & c) -> auto& { return c.slots.couple; }, couples);
+/// A cache as numbers.
+using CacheNumbers = std::array<double, ContactCaches::width>;
+CacheNumbers numbers_of(const ContactCache& cache) {
+  CacheNumbers numbers{};
+  std::size_t k = 0;
+  for (const Vec3* vector :
+       {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2, &cache.shape_1, &cache.shape_2})
+    for (const double value : *vector) numbers[k++] = value;
+  return numbers;
+}
+ContactCache cache_of(const CacheNumbers& numbers, std::int32_t state) {
+  if (state < 0 || state > static_cast<std::int32_t>(ContactCache::State::separation))
+    throw InputError("state", "cache state " + std::to_string(state), "0, 1 or 2");
+  const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
+  return {static_cast<ContactCache::State>(state), vector(0), vector(3), vector(6), vector(9), vector(12), vector(15)};
 }
 
-Header header_of(const PairChunk& chunk) {
-  return {chunk.pairs.size(),
-          chunk.slots.size(),
-          static_cast<std::uint64_t>(chunk.group.narrow_phase),
-          static_cast<std::uint64_t>(chunk.group.law),
-          static_cast<std::uint64_t>(chunk.checked),
-          static_cast<std::uint64_t>(chunk.contacts)};
-}
-
-PairChunk chunk_of(const Header& header, const Totals& totals, const World& world) {
-  if (header.law >= world.setup.interactions.size() || header.kind > 1 || header.slots % law_lanes != 0)
-    throw InputError("state", "a pair list of another setup", "the setup that the state was made with");
-  PairChunk chunk;
-  chunk.group = {static_cast<NarrowPhase>(header.kind), static_cast<std::int32_t>(header.law)};
-  chunk.checked = static_cast<std::int32_t>(header.checked);
-  chunk.contacts = static_cast<std::int32_t>(header.contacts);
-  chunk.viscous_loss = totals.viscous_loss;
-  chunk.friction_loss = totals.friction_loss;
-  chunk.hysteresis_loss = totals.hysteresis_loss;
-  chunk.stored_normal = totals.stored_normal;
-  chunk.stored_tangential = totals.stored_tangential;
-  chunk.stiffest = totals.stiffest;
-  return chunk;
-}
-
-void visit_pairs(PairList& list, const World& world, StateWriter& writer) {
+/// What is stored of all pairs, chunk after chunk.
+struct FlatPairs {
   std::vector<Header> headers;
   std::vector<Totals> totals;
-  std::vector<Cache> caches;
+  std::vector<std::int32_t> bodies;
+  std::vector<BodyPair> far;
+  std::vector<double> far_quiet;
+  std::vector<std::int32_t> far_state;
+  std::vector<CacheNumbers> far_cache;
+  std::vector<BodyPair> contacts;
+  std::vector<std::int32_t> contact_state;
+  std::vector<CacheNumbers> contact_cache;
+  std::vector<MemoryLine> memory;
+  std::vector<PairConstants> constants;
+  std::vector<Vec3> force, couple;
+
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    visitor.template array<std::uint64_t>("chunks.header", headers);
+    visitor.template array<double>("chunks.totals", totals);
+    visitor.template array<std::int32_t>("chunks.bodies", bodies);
+    visitor.template array<std::int32_t>("far.bodies", far);
+    visitor.template array<double>("far.quiet_until", far_quiet);
+    visitor.template array<std::int32_t>("far.cache_state", far_state);
+    visitor.template array<double>("far.cache", far_cache);
+    visitor.template array<std::int32_t>("contacts.bodies", contacts);
+    visitor.template array<std::int32_t>("contacts.cache_state", contact_state);
+    visitor.template array<double>("contacts.cache", contact_cache);
+    visitor.template array<double>("contacts.memory", memory);
+    visitor.template array<double>("contacts.constants", constants);
+    visitor.template array<double>("contacts.force", force);
+    visitor.template array<double>("contacts.couple", couple);
+  }
+};
+
+template <class Item>
+void append(std::vector<Item>& all, const std::vector<Item>& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
+
+FlatPairs flat(const PairList& list) {
+  FlatPairs all;
   for (const PairChunk& chunk : list.chunks) {
-    headers.push_back(header_of(chunk));
-    totals.push_back({chunk.viscous_loss, chunk.friction_loss, chunk.hysteresis_loss, chunk.stored_normal,
-                      chunk.stored_tangential, chunk.stiffest});
-    for (std::size_t k = 0; k < chunk.pairs.size(); ++k) {
-      Cache& cache = caches.emplace_back();
-      for (std::size_t n = 0; n < cache.size(); ++n) cache[n] = chunk.caches.columns[n][k];
+    const Contacts& contacts = chunk.contacts;
+    all.headers.push_back({chunk.bodies.size(), chunk.far.size(), contacts.size(),
+                           static_cast<std::uint64_t>(chunk.group.narrow_phase),
+                           static_cast<std::uint64_t>(chunk.group.law), static_cast<std::uint64_t>(chunk.checked)});
+    all.totals.push_back({chunk.viscous_loss, chunk.friction_loss, chunk.hysteresis_loss, chunk.stored_normal,
+                          chunk.stored_tangential, chunk.stiffest});
+    append(all.bodies, chunk.bodies);
+    for (const FarPair& far : chunk.far) {
+      all.far.push_back(far.bodies);
+      all.far_quiet.push_back(far.quiet_until);
+      all.far_state.push_back(static_cast<std::int32_t>(far.cache.state));
+      all.far_cache.push_back(numbers_of(far.cache));
     }
+    append(all.contacts, contacts.bodies);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      all.contact_state.push_back(static_cast<std::int32_t>(contacts.caches.states[i]));
+      all.contact_cache.push_back(numbers_of(contacts.caches.get(i)));
+      all.constants.push_back({contacts.reduced_mass[i], contacts.effective_radius[i], contacts.radius_cap[i]});
+    }
+    append(all.memory, contacts.memory);
+    append(all.force, contacts.force);
+    append(all.couple, contacts.couple);
   }
-  writer.array<std::uint64_t>("chunks.header", headers);
-  writer.array<double>("chunks.totals", totals);
-  writer.array<double>("pairs.cache", caches);
-  ChunkWriter fields(writer, list.chunks);
-  visit_chunks(fields, headers, world, list.chunks.data());
+  return all;
 }
 
-void visit_pairs(PairList& list, const World& world, StateReader& reader) {
-  std::vector<Header> headers;
-  std::vector<Totals> totals;
-  std::vector<Cache> caches;
-  reader.array<std::uint64_t>("chunks.header", headers);
-  reader.array<double>("chunks.totals", totals);
-  reader.array<double>("pairs.cache", caches);
-  if (totals.size() != headers.size())
-    throw InputError("state", "chunks.totals of another length", "that of chunks.header");
-  list.chunks.clear();
-  for (std::size_t c = 0; c < headers.size(); ++c) list.chunks.push_back(chunk_of(headers[c], totals[c], world));
-  ChunkReader fields(reader, list.chunks);
-  visit_chunks(fields, headers, world, list.chunks.data());
-  std::size_t next = 0;
-  for (PairChunk& chunk : list.chunks) {
-    chunk.caches.resize(chunk.pairs.size());
-    for (std::size_t k = 0; k < chunk.pairs.size(); ++k, ++next) {
-      if (next == caches.size())
-        throw InputError("state", "array pairs.cache that ends early", "an entry for each pair");
-      for (std::size_t n = 0; n < caches[next].size(); ++n) chunk.caches.columns[n][k] = caches[next][n];
-    }
+/// Hands out one item after another.
+template <class Item>
+class Next {
+ public:
+  Next(const char* name, const std::vector<Item>& items) : name_(name), items_(items) {}
+
+  const Item& operator()() {
+    if (next_ == items_.size())
+      throw InputError("state", std::string("array ") + name_ + " that ends early", "an entry for each pair");
+    return items_[next_++];
   }
+  void finish() const {
+    if (next_ != items_.size())
+      throw InputError("state", std::string("array ") + name_ + " that goes on", "an entry for each pair");
+  }
+
+ private:
+  const char* name_;
+  const std::vector<Item>& items_;
+  std::size_t next_ = 0;
+};
+
+void require_place(const BodyPair& pair, const PairChunk& chunk) {
+  const auto count = static_cast<std::int32_t>(chunk.bodies.size());
+  if (std::min(pair.first, pair.second) < 0 || std::max(pair.first, pair.second) >= count)
+    throw InputError("state", "a pair of bodies that its chunk does not have", "places below " + std::to_string(count));
+}
+
+void restore(const FlatPairs& all, const World& world, std::size_t body_count, PairList& list) {
+  Next bodies("chunks.bodies", all.bodies);
+  Next far("far.bodies", all.far);
+  Next far_quiet("far.quiet_until", all.far_quiet);
+  Next far_state("far.cache_state", all.far_state);
+  Next far_cache("far.cache", all.far_cache);
+  Next contact("contacts.bodies", all.contacts);
+  Next contact_state("contacts.cache_state", all.contact_state);
+  Next contact_cache("contacts.cache", all.contact_cache);
+  Next memory("contacts.memory", all.memory);
+  Next constants("contacts.constants", all.constants);
+  Next force("contacts.force", all.force);
+  Next couple("contacts.couple", all.couple);
+  Next totals("chunks.totals", all.totals);
+  list.chunks.clear();
+  for (const Header& header : all.headers) {
+    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 1)
+      throw InputError("state", "pairs of another setup", "the setup that the state was made with");
+    const ContactLaw& law = world.setup.interactions[header.law].law;
+    PairChunk& chunk = list.chunks.emplace_back();
+    chunk.group = {static_cast<NarrowPhase>(header.narrow_phase), static_cast<std::int32_t>(header.law)};
+    chunk.checked = static_cast<std::int32_t>(header.checked);
+    const Totals& sums = totals();
+    chunk.viscous_loss = sums.viscous_loss;
+    chunk.friction_loss = sums.friction_loss;
+    chunk.hysteresis_loss = sums.hysteresis_loss;
+    chunk.stored_normal = sums.stored_normal;
+    chunk.stored_tangential = sums.stored_tangential;
+    chunk.stiffest = sums.stiffest;
+    for (std::uint64_t i = 0; i < header.bodies; ++i) {
+      const std::int32_t body = bodies();
+      if (body < 0 || static_cast<std::size_t>(body) >= body_count)
+        throw InputError("state", "body " + std::to_string(body), "indices below " + std::to_string(body_count));
+      chunk.bodies.push_back(body);
+    }
+    chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
+    for (std::uint64_t i = 0; i < header.far; ++i) {
+      chunk.far.push_back({far(), far_quiet(), cache_of(far_cache(), far_state())});
+      require_place(chunk.far.back().bodies, chunk);
+    }
+    for (std::uint64_t i = 0; i < header.contacts; ++i) {
+      append_contact(chunk.contacts, contact(), cache_of(contact_cache(), contact_state()), constants(), law);
+      require_place(chunk.contacts.bodies.back(), chunk);
+      chunk.contacts.force.back() = force();
+      if (law.makes_couples()) chunk.contacts.couple.back() = couple();
+    }
+    for (MemoryLine& line : chunk.contacts.memory) line = memory();
+  }
+  bodies.finish(), far.finish(), contact.finish(), memory.finish(), force.finish(), couple.finish();
+}
+
+void visit_pairs(PairList& list, const World&, std::size_t, StateWriter& writer) {
+  flat(list).visit(writer);
+}
+
+void visit_pairs(PairList& list, const World& world, std::size_t body_count, StateReader& reader) {
+  FlatPairs all;
+  all.visit(reader);
+  restore(all, world, body_count, list);
 }
 
 template <class Item>
@@ -206,7 +228,8 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.value("losses.viscous", self.pairs_.viscous_loss);
   visitor.value("losses.friction", self.pairs_.friction_loss);
   visitor.value("losses.hysteresis", self.pairs_.hysteresis_loss);
-  visit_pairs(self.pairs_, self.world_, visitor);
+  visitor.template array<double>("bodies.listed_at", self.listed_at_);
+  visit_pairs(self.pairs_, self.world_, self.bodies_.size(), visitor);
 }
 
 Simulation::Engine::Engine(const Setup& setup, const State& state)
@@ -218,13 +241,10 @@ Simulation::Engine::Engine(const Setup& setup, const State& state)
   visit_state(*this, reader);
   for (const std::size_t size :
        {bodies_.position.size(), bodies_.orientation.size(), bodies_.velocity.size(), bodies_.angular_momentum.size(),
-        bodies_.force.size(), bodies_.torque.size(), kinematics_.travel.size()})
+        bodies_.force.size(), bodies_.torque.size(), kinematics_.travel.size(), listed_at_.size()})
     if (size != count)
       throw InputError("state", std::to_string(size) + " bodies", std::to_string(count) + " as in the setup");
-  for (const PairChunk& chunk : pairs_.chunks)
-    for (const BodyPair& pair : chunk.pairs)
-      if (pair.first < 0 || pair.second < 0 || static_cast<std::size_t>(std::max(pair.first, pair.second)) >= count)
-        throw InputError("state", "a pair of bodies that do not exist", "indices below " + std::to_string(count));
+  for (std::size_t i = 0; i < count; ++i) kinematics_.records[i].place(bodies_.position[i], bodies_.orientation[i]);
   index_bodies(pairs_, count);
 }
 
@@ -240,14 +260,14 @@ std::size_t Simulation::Engine::memory_bytes() const {
   std::size_t sum = bytes(bodies_.shape) + bytes(bodies_.material) + bytes(bodies_.motion) + bytes(bodies_.position) +
                     bytes(bodies_.orientation) + bytes(bodies_.velocity) + bytes(bodies_.angular_momentum) +
                     bytes(bodies_.force) + bytes(bodies_.torque) + bytes(bodies_.mass) + bytes(bodies_.inertia) +
-                    bytes(kinematics_.velocity) + bytes(kinematics_.angular_velocity) +
-                    bytes(kinematics_.mean_angular_velocity) + bytes(kinematics_.travel) + bytes(step_travel_) +
+                    bytes(kinematics_.records) + bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) +
                     bytes(pairs_.first) + bytes(pairs_.incidences) + bytes(pairs_.chunks);
   for (const PairChunk& chunk : pairs_.chunks) {
-    const Slots& slots = chunk.slots;
-    sum += bytes(chunk.pairs) + bytes(chunk.quiet_until) + bytes(chunk.slot) + bytes(chunk.caches.states) +
-           chunk.caches.size() * sizeof(Cache) + bytes(slots.owner) + bytes(slots.memory) + bytes(slots.reduced_mass) +
-           bytes(slots.effective_radius) + bytes(slots.force) + bytes(slots.point) + bytes(slots.couple);
+    const Contacts& contacts = chunk.contacts;
+    sum += bytes(chunk.far) + bytes(chunk.bodies) + bytes(chunk.wrenches) + bytes(contacts.bodies) +
+           bytes(contacts.caches.states) + contacts.caches.states.capacity() * sizeof(CacheNumbers) +
+           bytes(contacts.memory) + bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) +
+           bytes(contacts.radius_cap) + bytes(contacts.force) + bytes(contacts.couple);
   }
   return sum;
 }

@@ -1,38 +1,59 @@
 #include "dynamics/pair_chunk.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace osculate {
+namespace {
 
-std::span<double> read_memory(const Slots& slots, std::size_t slot, std::span<double> values) {
-  const std::size_t first = slot / law_lanes * values.size();
-  for (std::size_t m = 0; m < values.size(); ++m) values[m] = slots.memory[first + m].lanes[slot % law_lanes];
-  return values;
+void copy_memory(const std::vector<MemoryLine>& from, std::size_t source, std::vector<MemoryLine>& to,
+                 std::size_t target, std::size_t size) {
+  for (std::size_t m = 0; m < size; ++m)
+    to[target / law_lanes * size + m].lanes[target % law_lanes] =
+        from[source / law_lanes * size + m].lanes[source % law_lanes];
 }
 
-void write_memory(Slots& slots, std::size_t slot, std::span<const double> values) {
-  const std::size_t first = slot / law_lanes * values.size();
-  for (std::size_t m = 0; m < values.size(); ++m) slots.memory[first + m].lanes[slot % law_lanes] = values[m];
+}  // namespace
+
+void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCache& cache,
+                    const PairConstants& constants, const ContactLaw& law) {
+  const std::size_t i = contacts.size();
+  contacts.bodies.push_back(bodies);
+  contacts.caches.resize(i + 1);
+  contacts.caches.set(i, cache);
+  contacts.memory.resize(law.memory_length(i + 1) / law_lanes, MemoryLine{});
+  // A law may leave anything in the lanes behind the last contact.
+  for (std::size_t m = 0; m < law.memory_size(); ++m)
+    contacts.memory[i / law_lanes * law.memory_size() + m].lanes[i % law_lanes] = 0.0;
+  contacts.reduced_mass.push_back(constants.reduced_mass);
+  contacts.effective_radius.push_back(constants.effective_radius);
+  contacts.radius_cap.push_back(constants.radius_cap);
+  contacts.force.push_back(Vec3::Zero());
+  if (law.makes_couples()) contacts.couple.push_back(Vec3::Zero());
 }
 
-std::size_t take_slot(PairChunk& chunk, std::size_t pair, const ContactLaw& law) {
-  Slots& slots = chunk.slots;
-  const auto found = std::find(slots.owner.begin(), slots.owner.end(), Slots::unused);
-  const auto slot = static_cast<std::size_t>(std::distance(slots.owner.begin(), found));
-  if (found == slots.owner.end()) {
-    const std::size_t size = slots.size() + law_lanes;  // whole blocks: the law works on all of them
-    slots.owner.resize(size, Slots::unused);
-    slots.memory.resize(size / law_lanes * law.memory_size(), MemoryLine{});
-    slots.reduced_mass.resize(size, 1.0);
-    slots.effective_radius.resize(size, 1.0);
-    slots.force.resize(size, Vec3::Zero());
-    slots.point.resize(size, Vec3::Zero());
-    if (law.makes_couples()) slots.couple.resize(size, Vec3::Zero());
-  }
-  slots.owner[slot] = static_cast<std::int32_t>(pair);
-  chunk.slot[pair] = static_cast<std::int32_t>(slot);
-  return slot;
+void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law) {
+  const std::size_t end = contacts.size();
+  append_contact(contacts, from.bodies[i], from.caches.get(i),
+                 {from.reduced_mass[i], from.effective_radius[i], from.radius_cap[i]}, law);
+  copy_memory(from.memory, i, contacts.memory, end, law.memory_size());
+  contacts.force[end] = from.force[i];
+  if (law.makes_couples()) contacts.couple[end] = from.couple[i];
+}
+
+void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
+  const std::size_t last = contacts.size() - 1;
+  const auto fill_gap = [&](auto& items) {
+    items[i] = items[last];
+    items.pop_back();
+  };
+  copy_memory(contacts.memory, last, contacts.memory, i, law.memory_size());
+  contacts.memory.resize(law.memory_length(last) / law_lanes);
+  contacts.caches.set(i, contacts.caches.get(last));
+  contacts.caches.resize(last);
+  fill_gap(contacts.bodies);
+  fill_gap(contacts.reduced_mass);
+  fill_gap(contacts.effective_radius);
+  fill_gap(contacts.radius_cap);
+  fill_gap(contacts.force);
+  if (law.makes_couples()) fill_gap(contacts.couple);
 }
 
 }  // namespace osculate

@@ -33,50 +33,70 @@ inline std::span<double> doubles_of(std::vector<MemoryLine>& memory) {
 }
 
 /// What went wrong with a pair in a step.
-enum class Fault : std::uint8_t { none, degenerate, not_converged, too_deep, law_refused };
+enum class Fault : std::uint8_t { none, degenerate, not_converged, too_deep, step_too_long, law_refused };
 
-/// A contact that has a memory.
-struct Slots {
-  static constexpr std::int32_t unused = -1;
+/// A pair that does not touch.
+struct FarPair {
+  BodyPair bodies;
+  double quiet_until;  ///< it cannot touch before both travels add up to this [m]
+  ContactCache cache;
+};
 
-  std::vector<std::int32_t> owner;       ///< the pair, or `unused`
-  std::vector<MemoryLine> memory;        ///< memory_size lines for every eight slots
+/// Pairs that touch, one after another. Everything about contact i stands at i.
+struct Contacts {
+  std::vector<BodyPair> bodies;
+  ContactCaches caches;
+  std::vector<MemoryLine> memory;        ///< memory_size lines for every eight contacts
   std::vector<double> reduced_mass;      ///< [kg]
   std::vector<double> effective_radius;  ///< of the volume-equivalent spheres [m]
+  std::vector<double> radius_cap;        ///< [m]
   std::vector<Vec3> force;               ///< on body 1 [N]
-  std::vector<Vec3> point;               ///< [m]
   std::vector<Vec3> couple;              ///< on body 1 [N m]; empty where the law makes none
 
-  std::size_t size() const { return owner.size(); }
+  std::size_t size() const { return bodies.size(); }
+};
+
+/// A contact's constants.
+struct PairConstants {
+  double reduced_mass, effective_radius, radius_cap;
+};
+
+/// Force and torque on a body by the contacts of one chunk.
+struct Wrench {
+  Vec3 force;   ///< [N]
+  Vec3 torque;  ///< about the centroid [N m]
 };
 
 struct PairChunk {
   static constexpr std::size_t most_pairs = 512;
-  static constexpr double awake = -1.0;
 
   PairGroup group;
-  std::vector<BodyPair> pairs;      ///< sorted
-  std::vector<double> quiet_until;  ///< the pair cannot touch before both travels add up to this [m], or `awake`
-  std::vector<std::int32_t> slot;   ///< or Slots::unused
-  ContactCaches caches;
-  Slots slots;
+  std::vector<FarPair> far;
+  Contacts contacts;
+
+  /// The chunk's bodies; pairs know them by their place here.
+  std::vector<std::int32_t> bodies;
+  std::vector<Wrench> wrenches;  ///< on each of them
 
   // Since the start [J].
   double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0;
   // At the last step.
   double stored_normal = 0.0, stored_tangential = 0.0;  ///< [J]
   double stiffest = 0.0;                                ///< largest dF/dδ over reduced mass [1/s²]
-  std::int32_t checked = 0, contacts = 0;
+  std::int32_t checked = 0;                             ///< pairs given to the narrow phase
   Fault fault = Fault::none;
   BodyPair fault_pair{};
   double fault_overlap = 0.0;
 };
 
-/// The memory of one contact, lane by lane.
-std::span<double> read_memory(const Slots& slots, std::size_t slot, std::span<double> values);
-void write_memory(Slots& slots, std::size_t slot, std::span<const double> values);
+/// Adds a contact with an empty memory: one not yet made.
+void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCache& cache,
+                    const PairConstants& constants, const ContactLaw& law);
 
-/// A slot for a pair, the first unused one. The memory is zero: a contact not yet made.
-std::size_t take_slot(PairChunk& chunk, std::size_t pair, const ContactLaw& law);
+/// Appends contact `i` of another list with everything it remembers.
+void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law);
+
+/// Removes a contact; the last one takes its place.
+void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law);
 
 }  // namespace osculate

@@ -87,32 +87,47 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies) {
   return found;
 }
 
-void append(PairChunk& chunk, const BodyPair& pair, double quiet_until) {
-  chunk.pairs.push_back(pair);
-  chunk.quiet_until.push_back(quiet_until);
-  chunk.slot.push_back(Slots::unused);
-}
-
-/// A pair's place in the old list.
+/// A pair in the old list: a far one, or a contact.
 struct Place {
+  Candidate candidate;
   const PairChunk* chunk;
-  Index pair;
+  std::int32_t far;      ///< index, or −1
+  std::int32_t contact;  ///< index, or −1
 };
 
-void carry_over(const Place& old, const World& world, PairChunk& chunk, Index k, std::vector<double>& memory) {
-  chunk.caches.set(k, old.chunk->caches.get(old.pair));
-  const std::int32_t slot = old.chunk->slot[old.pair];
-  if (slot == Slots::unused) return;
-  const ContactLaw& law = world.setup.interactions[index_of(chunk.group.law)].law;
-  const Slots& from = old.chunk->slots;
-  const Index source = index_of(slot), target = take_slot(chunk, k, law);
-  chunk.slots.reduced_mass[target] = from.reduced_mass[source];
-  chunk.slots.effective_radius[target] = from.effective_radius[source];
-  chunk.slots.force[target] = from.force[source];
-  chunk.slots.point[target] = from.point[source];
-  if (law.makes_couples()) chunk.slots.couple[target] = from.couple[source];
-  memory.resize(law.memory_size());
-  write_memory(chunk.slots, target, read_memory(from, source, memory));
+std::vector<Place> places_of(const PairList& list) {
+  std::vector<Place> places;
+  for (const PairChunk& chunk : list.chunks) {
+    const auto global = [&](const BodyPair& pair) {
+      return BodyPair{chunk.bodies[index_of(pair.first)], chunk.bodies[index_of(pair.second)]};
+    };
+    for (Index k = 0; k < chunk.far.size(); ++k)
+      places.push_back({{chunk.group, global(chunk.far[k].bodies)}, &chunk, static_cast<std::int32_t>(k), -1});
+    for (Index k = 0; k < chunk.contacts.size(); ++k)
+      places.push_back({{chunk.group, global(chunk.contacts.bodies[k])}, &chunk, -1, static_cast<std::int32_t>(k)});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.candidate < b.candidate; });
+  return places;
+}
+
+/// Gives the chunk's bodies their places in it; its pairs named bodies by their numbers so far.
+void number_bodies(PairChunk& chunk, std::vector<std::int32_t>& place) {
+  const auto number = [&](std::int32_t& body) {
+    std::int32_t& at = place[index_of(body)];
+    if (at < 0) {
+      at = static_cast<std::int32_t>(chunk.bodies.size());
+      chunk.bodies.push_back(body);
+    }
+    body = at;
+  };
+  const auto number_pair = [&](BodyPair& pair) {
+    number(pair.first);
+    number(pair.second);
+  };
+  for (FarPair& far : chunk.far) number_pair(far.bodies);
+  for (BodyPair& pair : chunk.contacts.bodies) number_pair(pair);
+  for (const std::int32_t body : chunk.bodies) place[index_of(body)] = -1;
+  chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
 }
 
 }  // namespace
@@ -120,63 +135,54 @@ void carry_over(const Place& old, const World& world, PairChunk& chunk, Index k,
 void index_bodies(PairList& list, std::size_t bodies) {
   list.first.assign(bodies + 1, 0);
   for (const PairChunk& chunk : list.chunks)
-    for (const BodyPair& pair : chunk.pairs) {
-      ++list.first[index_of(pair.first) + 1];
-      ++list.first[index_of(pair.second) + 1];
-    }
+    for (const std::int32_t body : chunk.bodies) ++list.first[index_of(body) + 1];
   for (Index i = 0; i < bodies; ++i) list.first[i + 1] += list.first[i];
   list.incidences.resize(list.first.back());
   std::vector<std::uint64_t> next(list.first.begin(), list.first.end() - 1);
-  for (Index c = 0; c < list.chunks.size(); ++c) {
-    const std::vector<BodyPair>& pairs = list.chunks[c].pairs;
-    for (Index k = 0; k < pairs.size(); ++k) {
-      const auto entry = [&](std::uint32_t side) {
-        return Incidence{static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(2 * k) + side};
-      };
-      list.incidences[next[index_of(pairs[k].first)]++] = entry(0);
-      list.incidences[next[index_of(pairs[k].second)]++] = entry(1);
-    }
-  }
+  for (Index c = 0; c < list.chunks.size(); ++c)
+    for (Index k = 0; k < list.chunks[c].bodies.size(); ++k)
+      list.incidences[next[index_of(list.chunks[c].bodies[k])]++] = {static_cast<std::uint32_t>(c),
+                                                                     static_cast<std::uint32_t>(k)};
 }
 
-PairList make_pair_list(PairList&& before, const World& world, const Kinematics& kinematics) {
-  const Bodies& bodies = *kinematics.bodies;
+PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics) {
   PairList list;
   list.viscous_loss = before.viscous_loss;
   list.friction_loss = before.friction_loss;
   list.hysteresis_loss = before.hysteresis_loss;
-  std::vector<Place> old;
   for (const PairChunk& chunk : before.chunks) {
     list.viscous_loss += chunk.viscous_loss;
     list.friction_loss += chunk.friction_loss;
     list.hysteresis_loss += chunk.hysteresis_loss;
-    for (Index k = 0; k < chunk.pairs.size(); ++k) old.push_back({&chunk, k});
   }
-  const auto candidate_of = [](const Place& place) {
-    return Candidate{place.chunk->group, place.chunk->pairs[place.pair]};
-  };
-
-  std::vector<double> memory;
+  const std::vector<Place> old = places_of(before);
   auto known = old.begin();
   for (const Candidate& candidate : candidates(world, bodies)) {
+    const auto pairs_in = [](const PairChunk& chunk) { return chunk.far.size() + chunk.contacts.size(); };
     if (list.chunks.empty() || list.chunks.back().group != candidate.group ||
-        list.chunks.back().pairs.size() == PairChunk::most_pairs)
+        pairs_in(list.chunks.back()) == PairChunk::most_pairs)
       list.chunks.emplace_back().group = candidate.group;
     PairChunk& chunk = list.chunks.back();
-    const Index k = chunk.pairs.size(), one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
-    const double reach = world.reach[index_of(candidate.group.law)];
-    double quiet_until = sphere_gap(world, bodies, one, two) - reach;
-    while (known != old.end() && candidate_of(*known) < candidate) ++known;
-    const bool is_known = known != old.end() && candidate_of(*known) == candidate;
-    if (is_known) {
-      const double was = known->chunk->quiet_until[known->pair];
-      quiet_until =
-          was == PairChunk::awake ? was : std::max(quiet_until, was - kinematics.travel[one] - kinematics.travel[two]);
+    while (known != old.end() && known->candidate < candidate) ++known;
+    const bool is_known = known != old.end() && known->candidate == candidate;
+    if (is_known && known->contact >= 0) {
+      const ContactLaw& law = world.setup.interactions[index_of(candidate.group.law)].law;
+      append_contact(chunk.contacts, known->chunk->contacts, index_of(known->contact), law);
+      chunk.contacts.bodies.back() = candidate.pair;
+      continue;
     }
-    append(chunk, candidate.pair, quiet_until);
-    chunk.caches.resize(k + 1);
-    if (is_known) carry_over(*known, world, chunk, k, memory);
+    const Index one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
+    const double reach = world.reach[index_of(candidate.group.law)];
+    FarPair far{candidate.pair, sphere_gap(world, bodies, one, two) - reach, {}};
+    if (is_known) {
+      const FarPair& was = known->chunk->far[index_of(known->far)];
+      far.cache = was.cache;
+      far.quiet_until = std::max(far.quiet_until, was.quiet_until - kinematics.travel[one] - kinematics.travel[two]);
+    }
+    chunk.far.push_back(far);
   }
+  std::vector<std::int32_t> place(bodies.size(), -1);
+  for (PairChunk& chunk : list.chunks) number_bodies(chunk, place);
   index_bodies(list, bodies.size());
   return list;
 }

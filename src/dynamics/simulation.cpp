@@ -46,31 +46,7 @@ State Simulation::state() const {
 }
 
 std::vector<Contact> Simulation::contacts() const {
-  std::vector<Contact> contacts;
-  const World& world = engine_->world();
-  const Bodies& bodies = engine_->bodies();
-  std::vector<std::int32_t> slots;
-  for (const PairChunk& chunk : engine_->pairs().chunks) {
-    const ContactColumns geometry = slot_geometry(chunk, world, bodies, slots);
-    for (std::size_t row = 0; row < slots.size(); ++row) {
-      const auto slot = static_cast<std::size_t>(slots[row]);
-      const BodyPair& pair = chunk.pairs[static_cast<std::size_t>(chunk.slots.owner[slot])];
-      const ContactGeometry found = geometry.get(row);
-      const Vec3 difference = bodies.position[static_cast<std::size_t>(pair.second)] -
-                              bodies.position[static_cast<std::size_t>(pair.first)];
-      const PeriodicBox& box = world.setup.box;
-      const Vec3 shift = box.repeats() ? nearest_image_shift(box, difference) : Vec3::Zero();
-      contacts.push_back({.body_1 = pair.first,
-                          .body_2 = pair.second,
-                          .point = chunk.slots.point[slot],
-                          .normal = found.normal,
-                          .overlap = found.overlap,
-                          .force = chunk.slots.force[slot],
-                          .couple = chunk.slots.couple.empty() ? Vec3::Zero() : chunk.slots.couple[slot],
-                          .branch = difference + shift});
-    }
-  }
-  return contacts;
+  return engine_->contacts();
 }
 
 }  // namespace osculate

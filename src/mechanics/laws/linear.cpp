@@ -14,7 +14,7 @@ constexpr auto excluded = LawParameter::Bound::excluded;
 constexpr std::array linear_parameters{LawParameter{.name = "stiffness",
                                                     .symbol = "k",
                                                     .unit = "N/m",
-                                                    .meaning = "of the spring",
+                                                    .meaning = "stiffness of the spring",
                                                     .least = 0.0,
                                                     .least_bound = excluded}};
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mechanics/laws/elastic.hpp"
@@ -16,7 +17,7 @@ constexpr std::array parameters{
     LawParameter{.name = "hardness",
                  .symbol = "H",
                  .unit = "Pa",
-                 .meaning = "of the softer body",
+                 .meaning = "hardness of the softer body",
                  .least = 0.0,
                  .least_bound = excluded},
     LawParameter{.name = "yield_factor",
@@ -46,14 +47,14 @@ constexpr std::array<std::string_view, 1> elliptical{"hertz"};
 constexpr std::array conflicts{LawConflict{"normal", "its elastic contact is the elliptical one of hertz", elliptical}};
 
 /// What loading from one largest overlap to the next takes beyond what unloading gives back: Simpson's rule on the
-/// loading curve past first yield, exact for what is linear and to the fourth order else.
+/// loading curve between `lowest` and `highest`, where it is smooth.
 template <class Loading>
-double flow_loss(const Loading& loading, double first_yield, double from, double to) {
-  const double start = std::max(from, first_yield);
-  if (!(to > start)) return 0.0;
-  const auto at_start = loading(start), at_end = loading(to);
-  const double middle = loading(0.5 * (start + to)).force;
-  return (to - start) / 6.0 * (at_start.force + 4.0 * middle + at_end.force) -
+double flow_loss(const Loading& loading, double lowest, double highest, double from, double to) {
+  const double start = std::max(from, lowest), end = std::min(to, highest);
+  if (!(end > start)) return 0.0;
+  const auto at_start = loading(start), at_end = loading(end);
+  const double middle = loading(0.5 * (start + end)).force;
+  return (end - start) / 6.0 * (at_start.force + 4.0 * middle + at_end.force) -
          (at_end.strain_energy - at_start.strain_energy);
 }
 
@@ -82,12 +83,15 @@ Part bind(const Binding& binding) {
     contact.stiffness = state.stiffness;
     contact.stored_normal = state.strain_energy;
     if (largest.largest_overlap > memory[0]) {
-      const double yield = jamari_schipper::limits(contact.R_i, contact.R_j, modulus, plasticity).first_yield;
+      const auto limits = jamari_schipper::limits(contact.R_i, contact.R_j, modulus, plasticity);
+      constexpr double infinity = std::numeric_limits<double>::infinity();
       const auto loading = [&](double overlap) {
         jamari_schipper::Memory virgin;
         return pressed(overlap, virgin);
       };
-      contact.hysteresis_loss += flow_loss(loading, yield, memory[0], largest.largest_overlap);
+      contact.hysteresis_loss +=
+          flow_loss(loading, limits.first_yield, limits.full_plasticity, memory[0], largest.largest_overlap) +
+          flow_loss(loading, limits.full_plasticity, infinity, memory[0], largest.largest_overlap);
     }
     memory[0] = largest.largest_overlap;
   }};

@@ -19,10 +19,11 @@ constexpr std::array langston_parameters{
     friction_parameter,
     LawParameter{
         .name = "tangential_damping", .symbol = "η", .unit = "", .meaning = "share of the dashpot", .standard = 0.0}};
-constexpr std::array zheng_parameters{
-    friction_parameter,
-    LawParameter{
-        .name = "viscosity", .symbol = "η", .unit = "Pa s", .meaning = "of the bodies' material", .standard = 0.0}};
+constexpr std::array zheng_parameters{friction_parameter, LawParameter{.name = "viscosity",
+                                                                       .symbol = "η",
+                                                                       .unit = "Pa s",
+                                                                       .meaning = "viscosity of the bodies' material",
+                                                                       .standard = 0.0}};
 constexpr std::array<std::string_view, 2> hertzian{"hertz", "hertz_sphere"};
 constexpr std::string_view reason = "its slip displacement is that of a Hertz contact; take cundall_strack instead";
 constexpr std::array conflicts{LawConflict{"normal", reason, hertzian}, LawConflict{"adhesion", reason},

@@ -23,7 +23,7 @@ constexpr std::array spring_parameters{friction_parameter,
                                        LawParameter{.name = "tangential_stiffness",
                                                     .symbol = "k_t",
                                                     .unit = "N/m",
-                                                    .meaning = "of the tangential spring",
+                                                    .meaning = "stiffness of the tangential spring",
                                                     .least = 0.0,
                                                     .least_bound = LawParameter::Bound::excluded},
                                        damping_parameter};
