@@ -12,6 +12,7 @@
 // The target list above comes first.
 #include "core/vector-inl.hpp"
 #include "mechanics/hertz-inl.hpp"
+#include "mechanics/turn-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -71,8 +72,8 @@ void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, d
     const Batch spin = dot(turning, normal) * time_step;
     const Batch share = dot(old_stretch, normal) / max(one + dot(old_normal, normal), Batch(1e-30));
     const V3<Batch> moved = old_stretch - share * (old_normal + normal);
-    V3<Batch> stretch = moved;
-    if (any(!(spin == zero))) stretch = cos(spin) * moved + sin(spin) * cross(normal, moved);
+    const auto [sin_spin, cos_spin] = turn_of(spin);
+    V3<Batch> stretch = cos_spin * moved + sin_spin * cross(normal, moved);
     stretch = stretch - dot(stretch, normal) * normal;  // rounding must not add up
 
     const V3<Batch> slide = velocity + rate * normal, step = time_step * slide;
