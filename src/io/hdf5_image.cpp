@@ -51,6 +51,7 @@ Hdf5Image::~Hdf5Image() {
   H5Fclose(file_);
 }
 
+// NOLINTBEGIN(readability-make-member-function-const): these change the file behind the handle.
 void Hdf5Image::add_group(const std::string& path) {
   const Handle way(new_way(), H5Pclose);
   const Handle group(H5Gcreate2(file_, path.c_str(), way, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -73,6 +74,7 @@ void Hdf5Image::set_text(const std::string& path, const char* name, const std::s
       H5Acreate_by_name(file_, path.c_str(), name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   require(H5Awrite(attribute, type, text.c_str()));
 }
+// NOLINTEND(readability-make-member-function-const)
 
 std::string Hdf5Image::bytes() const {
   require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
