@@ -1,8 +1,8 @@
 // Scalar or batch: one formula, two number types.
 // A kernel is a template over Real, which is `double` or `Batch` (one SIMD vector of doubles). This header gives both
-// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, log, exp, sin, cos, any, all. Highway includes
-// it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a namespace of its
-// own.
+// the same vocabulary: arithmetic, comparison, select, min, max, sqrt, reciprocal, log, exp, sin, cos, any, all.
+// Highway includes it once per instruction set (foreach_target), hence the toggled guard; each inclusion lands in a
+// namespace of its own.
 #if defined(OSCULATE_CORE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef OSCULATE_CORE_BATCH_INL
 #undef OSCULATE_CORE_BATCH_INL
@@ -13,6 +13,7 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -113,6 +114,9 @@ HWY_INLINE Batch select(Mask condition, Batch yes, Batch no) {
 HWY_INLINE Mask select(Mask condition, Mask yes, Mask no) {
   return {hn::Or(hn::And(condition.m, yes.m), hn::AndNot(condition.m, no.m))};
 }
+constexpr std::size_t lanes_of(Mask) {
+  return lanes<Batch>();
+}
 HWY_INLINE bool any(Mask a) {
   return !hn::AllFalse(Tag(), a.m);
 }
@@ -125,6 +129,33 @@ HWY_INLINE Batch abs(Batch a) {
 HWY_INLINE Batch sqrt(Batch a) {
   return Batch(hn::Sqrt(a.v));
 }
+#if HWY_TARGET <= HWY_AVX3
+// The masked intrinsics, because g++ 12 warns of its own unmasked ones.
+/// 1/a within 2 units in the last place, for normal a: a division takes four times as long. NaN for 0 and ∞.
+HWY_INLINE Batch reciprocal(Batch a) {
+  Batch x(hn::Vec<Tag>{_mm512_maskz_rcp14_pd(0xFF, a.v.raw)});
+  const Batch one(1.0);
+  for (int i = 0; i < 2; ++i) x = Batch(hn::MulAdd(x.v, hn::NegMulAdd(a.v, x.v, one.v), x.v));
+  return x;
+}
+/// 1/√a, likewise.
+HWY_INLINE Batch inverse_sqrt(Batch a) {
+  Batch x(hn::Vec<Tag>{_mm512_maskz_rsqrt14_pd(0xFF, a.v.raw)});
+  const Batch one(1.0), half(0.5);
+  for (int i = 0; i < 2; ++i) {
+    const Batch h = half * x, excess = Batch(hn::NegMulAdd((a * x).v, x.v, one.v));
+    x = Batch(hn::MulAdd(h.v, excess.v, x.v));
+  }
+  return x;
+}
+#else
+HWY_INLINE Batch reciprocal(Batch a) {
+  return Batch(1.0) / a;
+}
+HWY_INLINE Batch inverse_sqrt(Batch a) {
+  return Batch(1.0) / sqrt(a);
+}
+#endif
 HWY_INLINE Batch min(Batch a, Batch b) {
   return Batch(hn::Min(a.v, b.v));
 }
@@ -154,6 +185,50 @@ HWY_INLINE Batch fma(Batch a, Batch b, Batch c) {
   return Batch(hn::MulAdd(a.v, b.v, c.v));
 }
 
+/// Σ c[n] x^n as four polynomials in x⁴ side by side: a chain a quarter as long as Horner's.
+template <std::size_t N>
+HWY_INLINE Batch polynomial(const std::array<double, N>& c, Batch x) {
+  static_assert(N > 4);
+  const Batch x2 = x * x, x4 = x2 * x2;
+  Batch part[4];
+  for (std::size_t n = N; n-- > 0;) part[n % 4] = n + 4 < N ? fma(part[n % 4], x4, Batch(c[n])) : Batch(c[n]);
+  return fma(fma(part[3], x, part[2]), x2, fma(part[1], x, part[0]));
+}
+
+/// artanh s = s Σ s^2n/(2n + 1)
+constexpr std::array<double, 11> artanh_series = [] {
+  std::array<double, 11> c{};
+  for (std::size_t n = 0; n < c.size(); ++n) c[n] = 1.0 / static_cast<double>(2 * n + 1);
+  return c;
+}();
+/// e^x = Σ x^n/n!
+constexpr std::array<double, 14> exponential_series = [] {
+  std::array<double, 14> c{1.0};
+  for (std::size_t n = 1; n < c.size(); ++n) c[n] = c[n - 1] / static_cast<double>(n);
+  return c;
+}();
+
+/// t^p for normal t > 0, held between 2^−1022 and 2^1023; within (4 + |p log2 t|) units in the last place.
+HWY_INLINE Batch power(Batch t, Batch p) {
+  constexpr double ln2 = 0.693147180559945309417, log2_e = 1.44269504088896340736;
+  const Tag d;
+  const IntTag di;
+  // t = m 2^k with m between √½ and √2: log m = 2 artanh s with |s| < 0.172.
+  const auto bits = hn::BitCast(di, t.v);
+  const auto k = hn::ShiftRight<52>(hn::Sub(bits, hn::Set(di, 0x3FE6A09E667F3BCD)));
+  const Batch m(hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<52>(k))));
+  const Batch s = (m - Batch(1.0)) * reciprocal(m + Batch(1.0));
+  // A whole number is the low bits of its sum with this.
+  const Batch whole_bits(0x1.8p52);
+  const Batch exponent = Batch(hn::BitCast(d, hn::Add(k, hn::BitCast(di, whole_bits.v)))) - whole_bits;
+  const Batch log2_t = fma(Batch(2.0 * log2_e) * s, polynomial(artanh_series, s * s), exponent);
+  // 2^y = 2^whole e^x with |x| < 0.35. The product is the second argument, so that NaN stays.
+  const Batch y(hn::Min(hn::Set(d, 1023.0), hn::Max(hn::Set(d, -1022.0), (p * log2_t).v)));
+  const Batch shifted = y + whole_bits, x = Batch(ln2) * (y - (shifted - whole_bits));
+  const auto scale = hn::ShiftLeft<52>(hn::Add(hn::BitCast(di, shifted.v), hn::Set(di, 1023)));
+  return polynomial(exponential_series, x) * Batch(hn::BitCast(d, scale));
+}
+
 HWY_INLINE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
@@ -171,6 +246,9 @@ HWY_INLINE std::uint64_t bits(bool a) {
 HWY_INLINE bool select(bool condition, bool yes, bool no) {
   return condition ? yes : no;
 }
+constexpr std::size_t lanes_of(bool) {
+  return 1;
+}
 HWY_INLINE bool any(bool a) {
   return a;
 }
@@ -183,11 +261,20 @@ HWY_INLINE double abs(double a) {
 HWY_INLINE double sqrt(double a) {
   return std::sqrt(a);
 }
+HWY_INLINE double reciprocal(double a) {
+  return 1.0 / a;
+}
+HWY_INLINE double inverse_sqrt(double a) {
+  return 1.0 / std::sqrt(a);
+}
 HWY_INLINE double min(double a, double b) {
   return b < a ? b : a;
 }
 HWY_INLINE double max(double a, double b) {
   return a < b ? b : a;
+}
+HWY_INLINE double power(double t, double p) {
+  return std::pow(t, p);
 }
 HWY_INLINE double log(double a) {
   return std::log(a);
@@ -229,6 +316,14 @@ HWY_INLINE void store(Batch value, double* to, std::size_t count) {
   HWY_ALIGN double padded[lanes<Batch>()];
   hn::Store(value.v, Tag(), padded);
   for (std::size_t i = 0; i < count; ++i) to[i] = padded[i];
+}
+
+/// Stores the lanes that the mask selects; memory of the others is left alone.
+HWY_INLINE void store(double value, bool wanted, double* to) {
+  if (wanted) *to = value;
+}
+HWY_INLINE void store(Batch value, Mask wanted, double* to) {
+  hn::BlendedStore(value.v, wanted.m, Tag(), to);
 }
 
 template <class Real>

@@ -47,7 +47,7 @@ HWY_INLINE Real norm(const V3<Real>& a) {
 }
 template <class Real>
 HWY_INLINE V3<Real> normalised(const V3<Real>& a) {
-  return (Real(1.0) / norm(a)) * a;
+  return inverse_sqrt(dot(a, a)) * a;
 }
 /// Component by component.
 template <class Real>
@@ -87,11 +87,14 @@ struct Rotation {
 /// The rotation of quaternion (w, v), whatever its length > 0.
 template <class Real>
 HWY_INLINE Rotation<Real> rotation_of(const Real& w, const V3<Real>& v) {
-  const Real two = Real(2.0) / (w * w + dot(v, v));
+  const Real one(1.0), squared = w * w + dot(v, v), excess = squared - one;
+  // A unit quaternion's 2/|q|² needs no division.
+  Real two = Real(2.0) * fma(excess, excess - one, one);
+  const MaskType<Real> unit = abs(excess) < Real(1e-6);
+  if (!all(unit)) two = select(unit, two, Real(2.0) / squared);
   const Real xx = two * v.x * v.x, yy = two * v.y * v.y, zz = two * v.z * v.z;
   const Real xy = two * v.x * v.y, yz = two * v.y * v.z, zx = two * v.z * v.x;
   const Real wx = two * w * v.x, wy = two * w * v.y, wz = two * w * v.z;
-  const Real one(1.0);
   return {{one - yy - zz, xy + wz, zx - wy}, {xy - wz, one - zz - xx, yz + wx}, {zx + wy, yz - wx, one - xx - yy}};
 }
 
@@ -108,7 +111,7 @@ HWY_INLINE TangentBasis<Real> select(MaskType<Real> condition, const TangentBasi
 template <class Real>
 HWY_INLINE TangentBasis<Real> tangent_basis(const V3<Real>& n) {
   const Real sign = copysign(Real(1.0), n.z);
-  const Real a = Real(-1.0) / (sign + n.z);
+  const Real a = -reciprocal(sign + n.z);
   const Real b = n.x * n.y * a;
   return {{Real(1.0) + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
@@ -167,6 +170,14 @@ HWY_INLINE V2<Real> coordinates(const TangentBasis<Real>& basis, const V3<Real>&
   return {dot(basis.e1, v), dot(basis.e2, v)};
 }
 
+/// A matrix of the plane `from` in the plane `to`, two bases of nearly one plane.
+template <class Real>
+HWY_INLINE Sym2<Real> turned(const Sym2<Real>& m, const TangentBasis<Real>& from, const TangentBasis<Real>& to) {
+  const V2<Real> row_1 = coordinates(from, to.e1), row_2 = coordinates(from, to.e2);
+  const V2<Real> m_1 = m * row_1, m_2 = m * row_2;
+  return {dot(row_1, m_1), dot(row_2, m_1), dot(row_2, m_2)};
+}
+
 template <class Real>
 HWY_INLINE Real determinant(const Sym2<Real>& m) {
   return fma(m.pp, m.qq, -(m.pq * m.pq));
@@ -182,9 +193,11 @@ template <class Real>
 HWY_INLINE Eigen2<Real> eigen(const Sym2<Real>& m) {
   const Real half(0.5), zero(0.0), one(1.0), tiny(1e-150);
   const Real mean = half * (m.pp + m.qq), difference = half * (m.pp - m.qq);
-  const Real radius = sqrt(fma(difference, difference, m.pq * m.pq));
+  const Real squared = fma(difference, difference, m.pq * m.pq);
+  const Real radius = squared * inverse_sqrt(max(squared, tiny * tiny));
   // The eigenvector from the larger of the two equivalent forms: (radius + |difference|, pq) up to an exchange.
-  const Real long_side = radius + abs(difference), inverse = one / sqrt(max(Real(2.0) * radius * long_side, tiny));
+  const Real long_side = radius + abs(difference),
+             inverse = inverse_sqrt(max(Real(2.0) * radius * long_side, tiny * tiny));
   const Real major = long_side * inverse, minor = m.pq * inverse;
   const V2<Real> direction = select(difference >= zero, V2<Real>{major, minor}, V2<Real>{minor, major});
   return {mean + radius, mean - radius, select(radius <= tiny, V2<Real>{one, zero}, direction)};

@@ -27,11 +27,12 @@ struct Totals {
 };
 
 /// A cache as numbers.
-using CacheNumbers = std::array<double, 12>;
+using CacheNumbers = std::array<double, ContactCaches::width>;
 CacheNumbers numbers_of(const ContactCache& cache) {
   CacheNumbers numbers{};
   std::size_t k = 0;
-  for (const Vec3* vector : {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2})
+  for (const Vec3* vector :
+       {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2, &cache.shape_1, &cache.shape_2})
     for (const double value : *vector) numbers[k++] = value;
   return numbers;
 }
@@ -39,7 +40,7 @@ ContactCache cache_of(const CacheNumbers& numbers, std::int32_t state) {
   if (state < 0 || state > static_cast<std::int32_t>(ContactCache::State::separation))
     throw InputError("state", "cache state " + std::to_string(state), "0, 1 or 2");
   const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
-  return {static_cast<ContactCache::State>(state), vector(0), vector(3), vector(6), vector(9)};
+  return {static_cast<ContactCache::State>(state), vector(0), vector(3), vector(6), vector(9), vector(12), vector(15)};
 }
 
 /// What is stored of all pairs, chunk after chunk.

@@ -18,6 +18,16 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
+/// The outward normal where `lift` finds the point, for surfaces that have no cheaper way to it.
+template <class Surface, class Real>
+HWY_INLINE V3<Real> normal_at(const Surface& surface, const V3<Real>& point, const V3<Real>& normal) {
+  return surface.lift(point, normal).normal;
+}
+template <class Real, class Power>
+HWY_INLINE V3<Real> normal_at(const ImplicitSurface<Real, Power>& surface, const V3<Real>& point, const V3<Real>&) {
+  return surface.normal(point);
+}
+
 /// Two surfaces in the frame of the first.
 template <class Real, class Surface1, class Surface2>
 struct SurfacePair {
@@ -34,6 +44,14 @@ struct SurfacePair {
   HWY_INLINE auto lift_1(const V3<Real>& point, const V3<Real>& normal) const { return surface_1.lift(point, normal); }
   HWY_INLINE auto lift_2(const V3<Real>& point, const V3<Real>& normal) const {
     return in_frame_1(surface_2.lift(rotation.apply_inverse(point - centre_2), rotation.apply_inverse(normal)));
+  }
+  /// The outward normal only.
+  HWY_INLINE V3<Real> normal_1(const V3<Real>& point, const V3<Real>& normal) const {
+    return normal_at(surface_1, point, normal);
+  }
+  HWY_INLINE V3<Real> normal_2(const V3<Real>& point, const V3<Real>& normal) const {
+    return rotation.apply(
+        normal_at(surface_2, rotation.apply_inverse(point - centre_2), rotation.apply_inverse(normal)));
   }
   HWY_INLINE auto support_1(const V3<Real>& normal) const { return surface_1.support(normal); }
   HWY_INLINE auto support_2(const V3<Real>& normal) const {
@@ -98,7 +116,7 @@ HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Rea
     M = variation(select(step.descends, step.depth, min(step.depth, zero)));
     det = max(determinant(M), Real(flat_limit * flat_limit));
   }
-  return (Real(1.0) / det) * (adjugate(M) * right);
+  return reciprocal(det) * (adjugate(M) * right);
 }
 
 template <class Real>
@@ -157,16 +175,20 @@ HWY_INLINE Mat2<Real> stiffness(const SharpJet<Real>& jet, const TangentBasis<Re
   return (one / determinant(blown_up)) * (normals * adjugate(blown_up));
 }
 
-template <class Pair, class Jet1, class Jet2, class Real = typename Pair::Number>
-HWY_INLINE Step<Real> newton_step(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2,
-                                  const TangentBasis<Real>& basis) {
-  const V3<Real> gap = pair.inverse_length * (jet_1.point - jet_2.point);
+/// What is wrong with two points.
+template <class Pair, class At1, class At2, class Real = typename Pair::Number>
+HWY_INLINE Step<Real> residual(const Pair& pair, const At1& at_1, const At2& at_2, const TangentBasis<Real>& basis) {
+  const V3<Real> gap = pair.inverse_length * (at_1.point - at_2.point);
   Step<Real> step;
-  step.depth = dot(gap, jet_1.normal);
-  step.mismatch = coordinates(basis, jet_2.normal);
+  step.depth = dot(gap, at_1.normal);
+  step.mismatch = coordinates(basis, at_2.normal);
   step.offset = coordinates(basis, gap);
-  solve(stiffness(jet_1, basis, pair.length), stiffness(jet_2, pair.basis_in_2(basis), pair.length), pair.length, step);
   return step;
+}
+template <class Pair, class Jet1, class Jet2, class Real = typename Pair::Number>
+HWY_INLINE void solve(const Pair& pair, const Jet1& jet_1, const Jet2& jet_2, const TangentBasis<Real>& basis,
+                      Step<Real>& step) {
+  solve(stiffness(jet_1, basis, pair.length), stiffness(jet_2, pair.basis_in_2(basis), pair.length), pair.length, step);
 }
 
 template <class Jet1, class Jet2, class Real>
@@ -199,6 +221,11 @@ constexpr double longest_step = 0.7;
 constexpr double small_step = 1e-12;
 /// Normals that differ by this are equal: points on flat sets move no further.
 constexpr double equal_normals = 3e-15;
+/// From steps below this on, the error falls with the square of the step.
+constexpr double quadratic_step = 1e-3;
+/// An error below this is left, in radians seen from the larger body's size; the surfaces are evaluated once more, for
+/// their curvatures.
+constexpr double negligible = 1e-13;
 /// Below this, steps that no longer shrink are round-off: sharp tips magnify it.
 constexpr double stalled_step = 1e-8;
 
@@ -220,44 +247,76 @@ HWY_INLINE Answer<Real> select(MaskType<Real> condition, const Answer<Real>& yes
           select(condition, yes.converged, no.converged)};
 }
 
+/// Whether the point is on the surface to round-off.
+template <class Jet, class Real>
+HWY_INLINE MaskType<Real> is_settled(const Jet&, const Real& any_number) {
+  return any_number == any_number;
+}
+template <class Real>
+HWY_INLINE MaskType<Real> is_settled(const LevelJet<Real>& jet, const Real&) {
+  return abs(jet.excess) < Real(1e-5);
+}
+
+/// A start near the answer, and the squared size of the step that led there; 0 if none did.
+template <class Real>
+struct Start {
+  Touch<Real> touch;
+  Real last_move;
+};
+
 /// Newton's method on points and normals from a start that is near: the warm path, and the end of the cold one.
 /// A lane that has arrived stands still, so that its answer does not depend on its neighbours.
 template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Answer<Real> polish(const Pair& pair, const Touch<Real>& start, int most_steps) {
+HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int most_steps) {
+  const Real zero(0.0);
   Answer<Real> answer;
-  answer.touch = start;
-  Real last_move(1.0);
+  answer.touch = start.touch;
+  answer.converged = !(zero == zero);
+  MaskType<Real> closing = answer.converged;
+  Real last_move = start.last_move;
+  const Real left_undone = square(max(Real(negligible) * pair.share_1 * pair.share_2, Real(equal_normals)));
   for (int i = 0; i < most_steps; ++i) {
     const auto jet_1 = pair.lift_1(answer.touch.point_1, answer.touch.normal_1);
     const auto jet_2 = pair.lift_2(answer.touch.point_2, answer.touch.normal_2);
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
     const Sym2<Real> shape_1 = shape_operator(jet_1, basis), shape_2 = shape_operator(jet_2, pair.basis_in_2(basis));
-    Step<Real> step = newton_step<Pair>(pair, jet_1, jet_2, basis);
-    const Real moved = squared_size(pair, step);
-    const MaskType<Real> solved = (dot(step.mismatch, step.mismatch) < Real(equal_normals * equal_normals)) &
-                                  (dot(step.offset, step.offset) < square(Real(16.0) * pair.round_off));
-    limit(step, moved, Real(longest_step));
-    const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
-    // Parallel normals have no tangential mismatch either.
-    const MaskType<Real> opposed = dot(jet_1.normal, jet_2.normal) < Real(0.0);
-    const MaskType<Real> stalled = (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
-    const MaskType<Real> arrived =
-        ((moved < Real(small_step * small_step)) | solved | stalled) & step.descends & opposed;
-    last_move = moved;
+    const MaskType<Real> settled = is_settled(jet_1, zero) & is_settled(jet_2, zero);
+    Step<Real> step = residual(pair, jet_1, jet_2, basis);
+    const Real mismatch = dot(step.mismatch, step.mismatch), offset = dot(step.offset, step.offset);
     if (i == 0) {
-      answer.touch = next;
       answer.basis = basis;
       answer.shape_1 = shape_1;
       answer.shape_2 = shape_2;
-      answer.converged = arrived;
     } else {
       const MaskType<Real>& done = answer.converged;
-      answer.touch = select(done, answer.touch, next);
       answer.basis = select(done, answer.basis, basis);
       answer.shape_1 = select(done, answer.shape_1, shape_1);
       answer.shape_2 = select(done, answer.shape_2, shape_2);
-      answer.converged = done | arrived;
+      if (any(closing)) {
+        const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
+        closing = closing & settled & (mismatch < left_undone) & (offset < left_undone) & !done;
+        answer.touch = select(closing, here, answer.touch);
+        answer.converged = done | closing;
+        if (all(answer.converged)) break;
+      }
     }
+    solve(pair, jet_1, jet_2, basis, step);
+    const Real moved = squared_size(pair, step);
+    const MaskType<Real> solved =
+        (mismatch < Real(equal_normals * equal_normals)) & (offset < square(Real(16.0) * pair.round_off));
+    limit(step, moved, Real(longest_step));
+    const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
+    // Parallel normals have no tangential mismatch either.
+    const MaskType<Real> sound = settled & step.descends & (dot(jet_1.normal, jet_2.normal) < zero);
+    const MaskType<Real> stalled =
+        (last_move > zero) & (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
+    const MaskType<Real> arrived = ((moved < Real(small_step * small_step)) | solved | stalled) & sound;
+    // Of a step s there is left s³/s_last².
+    closing = sound & (last_move < Real(quadratic_step * quadratic_step)) &
+              (moved * square(moved) < left_undone * square(last_move));
+    last_move = moved;
+    answer.touch = select(answer.converged, answer.touch, next);
+    answer.converged = answer.converged | arrived;
     if (all(answer.converged)) break;
   }
   answer.normal = normalised(answer.touch.normal_1 - answer.touch.normal_2);
@@ -270,6 +329,22 @@ HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
   return dot(pair.support_1(direction).point - pair.support_2(-direction).point, direction);
 }
 
+/// The first Newton step of a warm start. The bodies have moved, but each surface is what it was at its cached point:
+/// the shape operators found there serve again, unevaluated. In the tangent plane `basis` of normal 1.
+template <class Pair, class Real = typename Pair::Number>
+HWY_INLINE Start<Real> predict(const Pair& pair, const Touch<Real>& last, const TangentBasis<Real>& basis,
+                               const Sym2<Real>& shape_1, const Sym2<Real>& shape_2) {
+  struct At {
+    V3<Real> point, normal;
+  };
+  const At at_1{last.point_1, last.normal_1}, at_2{last.point_2, last.normal_2};
+  Step<Real> step = residual(pair, at_1, at_2, basis);
+  solve(shape_1, shape_2, pair.length, step);
+  const Real moved = squared_size(pair, step);
+  limit(step, moved, Real(longest_step));
+  return {advance(at_1, at_2, basis, step, pair.length), moved};
+}
+
 /// How hard to try.
 struct Effort {
   int descents;          ///< most steps over directions
@@ -277,6 +352,8 @@ struct Effort {
   double shortest_step;  ///< so does a failure to descend with steps of this size
   int newtons;           ///< most Newton steps
 };
+constexpr Effort hasty{1, 0.7, 1e-3, 10};
+constexpr Effort brisk{6, 0.5, 1e-3, 10};
 constexpr Effort usual{16, 0.05, 1e-3, 10};
 constexpr Effort stubborn{150, 1e-3, 1e-7, 40};
 
@@ -295,12 +372,13 @@ HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V
   MaskType<Real> done = !(overlap == overlap);
   for (int i = 0; i < effort.descents; ++i) {
     const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
-    Step<Real> step = newton_step<Supports>(supports, jet_1, jet_2, basis);
+    Step<Real> step = residual(supports, jet_1, jet_2, basis);
+    solve(supports, jet_1, jet_2, basis, step);
     const Real squared = squared_size(supports, step);
     limit(step, squared, radius);
     const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, lifts.length);
-    const V3<Real> normal_1 = lifts.lift_1(ahead.point_1, ahead.normal_1).normal;
-    const V3<Real> normal_2 = lifts.lift_2(ahead.point_2, ahead.normal_2).normal;
+    const V3<Real> normal_1 = lifts.normal_1(ahead.point_1, ahead.normal_1);
+    const V3<Real> normal_2 = lifts.normal_2(ahead.point_2, ahead.normal_2);
     const Real share = (step.trust_1 + Real(1e-300)) / (step.trust_1 + step.trust_2 + Real(2e-300));
     V3<Real> next = normalised(share * normal_1 - (one - share) * normal_2);
     auto next_1 = supports.support_1(next);

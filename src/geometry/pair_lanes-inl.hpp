@@ -239,7 +239,8 @@ HWY_NOINLINE void write_answer(const Jobs& jobs, const Placement<Real>& placemen
     contact.curvature_1 = {max_1[i], min_1[i], direction_1[i]};
     contact.curvature_2 = {max_2[i], min_2[i], direction_2[i]};
     contact.relative = {R_i[i], R_j[i], major_axis[i], false};
-    *jobs[i].cache = {ContactCache::State::contact, point_1[i], normal_1[i], point_2[i], normal_2[i]};
+    *jobs[i].cache = {
+        ContactCache::State::contact, point_1[i], normal_1[i], point_2[i], normal_2[i], Vec3::Zero(), Vec3::Zero()};
     if (!is_finite(contact)) give_up(jobs[i]);
   }
 }
@@ -258,7 +259,7 @@ HWY_NOINLINE void write_direction(const Jobs& jobs, const Placement<Real>& place
     jobs[i].contact->status = status;
     jobs[i].contact->normal = normal[i];
     jobs[i].contact->overlap = along[i];
-    *jobs[i].cache = {state, Vec3::Zero(), normal_1[i], Vec3::Zero(), normal_2[i]};
+    *jobs[i].cache = {state, Vec3::Zero(), normal_1[i], Vec3::Zero(), normal_2[i], Vec3::Zero(), Vec3::Zero()};
     if (!is_finite(*jobs[i].contact)) give_up(jobs[i]);
   }
 }
@@ -280,7 +281,7 @@ HWY_INLINE Answer<Real> answer_at(const Pair& pair, const Jet1& jet_1, const Jet
 /// Newton's method, compiled once for each kind of pair.
 template <class Pair, class Real = typename Pair::Number>
 HWY_NOINLINE Answer<Real> newton(const Pair& pair, const Touch<Real>& start, int most_steps) {
-  return polish(pair, start, most_steps);
+  return polish(pair, {start, Real(0.0)}, most_steps);
 }
 
 /// Of a coordinate, relative to its size.

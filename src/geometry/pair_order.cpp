@@ -59,6 +59,7 @@ void require_particle(const Shape& first, const Shape& second) {
 void swap_bodies(ContactCache& cache) {
   std::swap(cache.point_1, cache.point_2);
   std::swap(cache.normal_1, cache.normal_2);
+  std::swap(cache.shape_1, cache.shape_2);
 }
 
 void swap_bodies(ContactGeometry& contact) {

@@ -23,8 +23,9 @@ std::array<Bend, 2> bends_of(const PrincipalCurvatures& curvature, const Tangent
   return {Bend{curvature.max, t}, Bend{curvature.min, {-t.y(), t.x()}}};
 }
 
+/// Exactly zero for equal vectors, whether or not the compiler fuses products and sums.
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
+  return a.x() * (b.y() - a.y()) - a.y() * (b.x() - a.x());
 }
 
 Vec3 towards_positive(const Vec3& axis) {

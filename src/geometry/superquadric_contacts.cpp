@@ -1,257 +1,21 @@
 #include "osculate/geometry/superquadric_contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
-#include <numeric>
-#include <string>
+#include <span>
+#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geometry/superquadric_contacts.cpp"
 #include <hwy/foreach_target.h>
 // The target list above comes first.
-#include "geometry/common_normal-inl.hpp"
 #include "geometry/penetration_hull.hpp"
+#include "geometry/superquadric_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
-
-using Index = std::size_t;
-
-/// Up to one batch of pairs, by their rows.
-struct Rows {
-  const Index* index;
-  Index count;
-  bool consecutive;
-};
-
-template <class Real>
-Rows rows_from(const std::vector<Index>& list, Index start) {
-  const Index count = std::min(lanes<Real>(), list.size() - start);
-  const Index* index = list.data() + start;
-  return {index, count, index[count - 1] - index[0] == count - 1};
-}
-
-template <class Real>
-HWY_INLINE Real read(const double* column, const Rows& rows) {
-  if (rows.consecutive) return load<Real>(column + rows.index[0], rows.count);
-  HWY_ALIGN double gathered[lanes<Real>()] = {};
-  for (Index i = 0; i < rows.count; ++i) gathered[i] = column[rows.index[i]];
-  return load<Real>(gathered, rows.count);
-}
-
-/// Writes the lanes whose bit is set.
-template <class Real>
-HWY_INLINE void write(const Real& value, std::uint64_t wanted, double* column, const Rows& rows) {
-  if (rows.consecutive && wanted + 1 == std::uint64_t{1} << rows.count)
-    return store(value, column + rows.index[0], rows.count);
-  HWY_ALIGN double values[lanes<Real>()];
-  store(value, values, lanes<Real>());
-  for (Index i = 0; i < rows.count; ++i)
-    if ((wanted >> i & 1U) != 0) column[rows.index[i]] = values[i];
-}
-
-/// Columns first … of a table, three of them a vector.
-template <class Real, std::size_t N>
-HWY_INLINE V3<Real> read3(const Columns<N>& columns, std::size_t first, const Rows& rows) {
-  return {read<Real>(columns[first], rows), read<Real>(columns[first + 1], rows), read<Real>(columns[first + 2], rows)};
-}
-template <class Real, std::size_t N>
-HWY_INLINE void write3(const V3<Real>& v, std::uint64_t wanted, Columns<N>& columns, std::size_t first,
-                       const Rows& rows) {
-  write(v.x, wanted, columns[first], rows);
-  write(v.y, wanted, columns[first + 1], rows);
-  write(v.z, wanted, columns[first + 2], rows);
-}
-
-template <class Real>
-struct Body {
-  V3<Real> half_axes;
-  V2<Real> exponents;
-  V3<Real> position;
-  Real w;
-  V3<Real> v;  ///< vector part of the quaternion
-};
-template <class Real>
-HWY_INLINE Body<Real> select(MaskType<Real> condition, const Body<Real>& yes, const Body<Real>& no) {
-  return {select(condition, yes.half_axes, no.half_axes), select(condition, yes.exponents, no.exponents),
-          select(condition, yes.position, no.position), select(condition, yes.w, no.w), select(condition, yes.v, no.v)};
-}
-template <class Real>
-HWY_INLINE Body<Real> read_body(const SuperquadricPairs& pairs, std::size_t first, const Rows& rows) {
-  const auto& columns = pairs.columns;
-  return {read3<Real>(columns, first, rows),
-          {read<Real>(columns[first + 3], rows), read<Real>(columns[first + 4], rows)},
-          read3<Real>(columns, first + 5, rows),
-          read<Real>(columns[first + 8], rows),
-          read3<Real>(columns, first + 9, rows)};
-}
-
-/// Lexicographic order of bodies, so that a pair is always computed from the same side: swapping swaps exactly.
-template <class Real>
-HWY_INLINE MaskType<Real> precedes(const Body<Real>& a, const Body<Real>& b) {
-  MaskType<Real> less = a.position.x < b.position.x, equal = a.position.x == b.position.x;
-  const auto then = [&](const Real& p, const Real& q) {
-    less = less | (equal & (p < q));
-    equal = equal & (p == q);
-  };
-  if (any(equal)) {
-    then(a.position.y, b.position.y);
-    then(a.position.z, b.position.z);
-    then(a.half_axes.x, b.half_axes.x);
-    then(a.half_axes.y, b.half_axes.y);
-    then(a.half_axes.z, b.half_axes.z);
-    then(a.exponents.p, b.exponents.p);
-    then(a.exponents.q, b.exponents.q);
-    then(a.w, b.w);
-    then(a.v.x, b.v.x);
-    then(a.v.y, b.v.y);
-    then(a.v.z, b.v.z);
-  }
-  return less;
-}
-
-/// A batch of pairs in the order in which they are computed, and the way back to the caller's.
-template <class Real>
-struct Problem {
-  MaskType<Real> swapped;
-  Rotation<Real> frame;  ///< of the first body → world
-  V3<Real> origin;
-  SuperquadricNumbers<Real> body_1, body_2;
-  Rotation<Real> rotation;      ///< frame of the second body → frame of the first
-  V3<Real> centre_2;            ///< in the frame of the first
-  Real size_1, size_2, length;  ///< largest half-axes, and the smaller of the two
-
-  HWY_INLINE Real coordinate_size() const { return size_1 + size_2 + norm(centre_2); }
-
-  template <class Surface>
-  HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {
-    const Real inverse_length = Real(1.0) / length;
-    return {.surface_1 = Surface(body_1),
-            .surface_2 = Surface(body_2),
-            .rotation = rotation,
-            .centre_2 = centre_2,
-            .length = length,
-            .inverse_length = inverse_length,
-            .share_1 = length / size_1,
-            .share_2 = length / size_2,
-            .round_off = Real(2.2e-16) * coordinate_size() * inverse_length};
-  }
-};
-
-template <class Real>
-HWY_NOINLINE Problem<Real> problem_of(const SuperquadricPairs& pairs, const Rows& rows) {
-  const Body<Real> given_1 = read_body<Real>(pairs, 0, rows);
-  const Body<Real> given_2 = read_body<Real>(pairs, SuperquadricPairs::per_body, rows);
-  const MaskType<Real> swapped = precedes(given_2, given_1);
-  const Body<Real> one = select(swapped, given_2, given_1), two = select(swapped, given_1, given_2);
-  const Rotation<Real> frame = rotation_of(one.w, one.v);
-  const Real w = one.w * two.w + dot(one.v, two.v);
-  const V3<Real> v = one.w * two.v - two.w * one.v - cross(one.v, two.v);
-  const auto largest = [](const V3<Real>& axes) { return max(max(axes.x, axes.y), axes.z); };
-  const Real size_1 = largest(one.half_axes), size_2 = largest(two.half_axes);
-  return {swapped,
-          frame,
-          one.position,
-          {one.half_axes, one.exponents.p, one.exponents.q},
-          {two.half_axes, two.exponents.p, two.exponents.q},
-          rotation_of(w, v),
-          frame.apply_inverse(two.position - one.position),
-          size_1,
-          size_2,
-          min(size_1, size_2)};
-}
-
-template <class Real>
-HWY_INLINE Touch<Real> read_touch(const ContactCaches& caches, const Problem<Real>& problem, const Rows& rows) {
-  const V3<Real> point_1 = read3<Real>(caches.columns, 0, rows), normal_1 = read3<Real>(caches.columns, 3, rows);
-  const V3<Real> point_2 = read3<Real>(caches.columns, 6, rows), normal_2 = read3<Real>(caches.columns, 9, rows);
-  const auto& swapped = problem.swapped;
-  const auto& pair = problem;
-  return {select(swapped, point_2, point_1), select(swapped, normal_2, normal_1),
-          pair.rotation.apply(select(swapped, point_1, point_2)) + pair.centre_2,
-          pair.rotation.apply(select(swapped, normal_1, normal_2))};
-}
-
-/// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
-constexpr double flat_curvature = 1e-9;
-
-template <class Real>
-HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, std::uint64_t wanted,
-                               ContactColumns& contacts, ContactCaches& caches, const Rows& rows) {
-  const auto& swapped = problem.swapped;
-  const auto& frame = problem.frame;
-  const auto& pair = problem;
-  const Real one(1.0);
-  const V3<Real> normal = frame.apply(answer.normal);
-  const V3<Real> point_1 = frame.apply(answer.touch.point_1) + problem.origin;
-  const V3<Real> point_2 = frame.apply(answer.touch.point_2) + problem.origin;
-  auto& columns = contacts.columns;
-  write3(select(swapped, -normal, normal), wanted, columns, 0, rows);
-  write(answer.overlap, wanted, columns[3], rows);
-  write3(select(swapped, point_2, point_1), wanted, columns, 4, rows);
-  write3(select(swapped, point_1, point_2), wanted, columns, 7, rows);
-
-  const auto in_world = [&](const V2<Real>& t) { return frame.apply(lift(answer.basis, t)); };
-  const Real zero(0.0);
-  const auto convex = [&](const Sym2<Real>& shape) {
-    Eigen2<Real> curvature = eigen(shape);
-    curvature.min = max(curvature.min, zero);
-    return curvature;
-  };
-  const Eigen2<Real> first = convex(select(swapped, answer.shape_2, answer.shape_1));
-  const Eigen2<Real> second = convex(select(swapped, answer.shape_1, answer.shape_2));
-  write(first.max, wanted, columns[10], rows);
-  write(first.min, wanted, columns[11], rows);
-  write3(in_world(first.direction), wanted, columns, 12, rows);
-  write(second.max, wanted, columns[15], rows);
-  write(second.min, wanted, columns[16], rows);
-  write3(in_world(second.direction), wanted, columns, 17, rows);
-
-  const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
-  write(one / relative.min, wanted, columns[20], rows);
-  write(one / relative.max, wanted, columns[21], rows);
-  write3(in_world({-relative.direction.q, relative.direction.p}), wanted, columns, 22, rows);
-
-  const V3<Real> point_b = pair.rotation.apply_inverse(answer.touch.point_2 - pair.centre_2);
-  const V3<Real> normal_b = pair.rotation.apply_inverse(answer.touch.normal_2);
-  write3(select(swapped, point_b, answer.touch.point_1), wanted, caches.columns, 0, rows);
-  write3(select(swapped, normal_b, answer.touch.normal_1), wanted, caches.columns, 3, rows);
-  write3(select(swapped, answer.touch.point_1, point_b), wanted, caches.columns, 6, rows);
-  write3(select(swapped, answer.touch.normal_1, normal_b), wanted, caches.columns, 9, rows);
-
-  const std::uint64_t gaps = bits(answer.overlap < Real(0.0));
-  const std::uint64_t flats = bits(relative.min * pair.length < Real(flat_curvature));
-  for (Index i = 0; i < rows.count; ++i) {
-    if ((wanted >> i & 1U) == 0) continue;
-    const bool gap = (gaps >> i & 1U) != 0, flat = (flats >> i & 1U) != 0;
-    contacts.statuses[rows.index[i]] = flat  ? ContactStatus::flat
-                                       : gap ? ContactStatus::separated
-                                             : ContactStatus::touching;
-    caches.states[rows.index[i]] = ContactCache::State::contact;
-  }
-}
-
-/// A direction and the overlap along it, without points: a proof of separation, or the best that was found.
-template <class Real>
-HWY_NOINLINE void write_direction(const Problem<Real>& problem, const V3<Real>& direction, const Real& overlap,
-                                  ContactStatus status, std::uint64_t wanted, ContactColumns& contacts,
-                                  ContactCaches& caches, const Rows& rows) {
-  const V3<Real> normal = problem.frame.apply(direction);
-  auto& columns = contacts.columns;
-  write3(select(problem.swapped, -normal, normal), wanted, columns, 0, rows);
-  write(overlap, wanted, columns[3], rows);
-  for (std::size_t k = 4; k < 25; ++k) write(Real(0.0), wanted, columns[k], rows);
-  const V3<Real> normal_b = problem.rotation.apply_inverse(-direction);
-  write3(select(problem.swapped, normal_b, direction), wanted, caches.columns, 3, rows);
-  for (Index i = 0; i < rows.count; ++i) {
-    if ((wanted >> i & 1U) == 0) continue;
-    contacts.statuses[rows.index[i]] = status;
-    caches.states[rows.index[i]] =
-        status == ContactStatus::separated ? ContactCache::State::separation : ContactCache::State::empty;
-  }
-}
 
 /// The best of the centre line and both bodies' normals on it.
 template <class Lifts, class Supports, class Real = typename Lifts::Number>
@@ -262,7 +26,7 @@ HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports
       select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
   const V3<Real> centre_line = normalised(toward);
   const V3<Real> origin{zero, zero, zero};
-  const V3<Real> others[] = {lifts.lift_1(toward, toward).normal, -lifts.lift_2(origin, -toward).normal};
+  const V3<Real> others[] = {lifts.normal_1(toward, toward), -lifts.normal_2(origin, -toward)};
   V3<Real> best = centre_line;
   Real least = overlap_along(supports, best);
   for (const V3<Real>& other : others) {
@@ -280,71 +44,102 @@ HWY_INLINE Real overlap_tolerance(const Problem<Real>& problem) {
   return Real(1e-12) * problem.length + Real(1e-14) * problem.coordinate_size();
 }
 
-inline std::uint64_t used_lanes(const Rows& rows) {
-  return (std::uint64_t{1} << rows.count) - 1;
+/// Shape operators that were cached predict the first step.
+template <class Real, class Power>
+HWY_INLINE Answer<Real> warm_answer(
+    const SurfacePair<Real, ImplicitSurface<Real, Power>, ImplicitSurface<Real, Power>>& pair,
+    const Problem<Real>& problem, const Rows& rows) {
+  const Cached<Real> last = read_cached<Real>(problem, rows);
+  return polish(pair, predict(pair, last.touch, last.basis, last.shape_1, last.shape_2), 8);
 }
-
-/// Rows whose bit is not set go on the list.
-inline void collect(std::vector<Index>& list, std::uint64_t solved, const Rows& rows) {
-  for (Index i = 0; i < rows.count; ++i)
-    if ((solved >> i & 1U) == 0) list.push_back(rows.index[i]);
+template <class Real, class Surface>
+HWY_INLINE Answer<Real> warm_answer(const SurfacePair<Real, Surface, Surface>& pair, const Problem<Real>& problem,
+                                    const Rows& rows) {
+  return polish(pair, {read_touch<Real>(problem, rows), Real(0.0)}, 8);
 }
 
 template <class Real, class Lift>
-void solve_warm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                const std::vector<Index>& list, std::vector<Index>& unsolved) {
-  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
-    const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real>(pairs, rows);
-    const Answer<Real> answer = polish(problem.template as<Lift>(), read_touch<Real>(caches, problem, rows), 8);
-    const std::uint64_t used = used_lanes(rows);
-    const std::uint64_t converged = bits(answer.converged) & used;
-    write_answer(problem, answer, converged, contacts, caches, rows);
-    if (converged != used) collect(unsolved, converged, rows);
-  }
+HWY_NOINLINE std::uint64_t solve_warm(const Rows& rows) {
+  const auto problem = problem_of<Real>(rows);
+  const Answer<Real> answer = warm_answer(problem.template as<Lift>(), problem, rows);
+  write_answer(problem, answer, answer.converged, rows);
+  return bits(answer.converged);
 }
 
-/// Pairs whose cache holds a direction: one evaluation proves most of them still separated.
+/// Pairs whose cache holds a direction and the support points in it. The bodies turn by d against each other; along the
+/// mean m of what became of the direction on both, the overlap is at most
+///   h1 + h2 + (r1 + r2) |d|/2 − m·(c2 − c1),   r the bodies' radii:
+/// most pairs are proved still separated without a look at their surfaces.
+template <class Real>
+HWY_NOINLINE std::uint64_t check_apart(const Rows& rows) {
+  constexpr std::size_t second = SuperquadricPairs::per_body;
+  const auto& pairs = rows.tables.pairs.columns;
+  const auto& caches = rows.tables.caches.columns;
+  const auto in_world = [&](std::size_t body, const V3<Real>& v) HWY_ATTR {
+    const Real w = read<Real>(pairs, body + 8, rows);
+    const V3<Real> q = read3<Real>(pairs, body + 9, rows), t = Real(2.0) * cross(q, v);
+    return v + w * t + cross(q, t);
+  };
+  const auto sum = [](const V3<Real>& v) HWY_ATTR { return v.x + v.y + v.z; };
+  const V3<Real> u1 = read3<Real>(caches, 3, rows), u2 = read3<Real>(caches, 9, rows);
+  const Real h1 = dot(read3<Real>(caches, 0, rows), u1), h2 = dot(read3<Real>(caches, 6, rows), u2);
+  const V3<Real> n1 = in_world(0, u1), n2 = in_world(second, u2);
+  const Real half(0.5), turn = sum(absolute(n1 + n2));
+  const V3<Real> mean = half * (n1 - n2);
+  const V3<Real> between = read3<Real>(pairs, second + 5, rows) - read3<Real>(pairs, 5, rows);
+  const Real reach = sum(read3<Real>(pairs, 0, rows)) + sum(read3<Real>(pairs, second, rows));
+  const Real overlap = (h1 + h2) + half * reach * turn - dot(mean, between);
+  const MaskType<Real> apart = overlap < Real(-1e-14) * (reach + sum(absolute(between)));
+  write_direction(normalised(mean), overlap, ContactStatus::separated, apart, rows);
+  return bits(apart);
+}
+
+/// The same with the surfaces' answer to the direction.
 template <class Real, class Support>
-void check_separation(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                      const std::vector<Index>& list, std::vector<Index>& unsolved) {
-  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
-    const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real>(pairs, rows);
-    const V3<Real> direction_1 = read3<Real>(caches.columns, 3, rows);
-    const V3<Real> direction = select(problem.swapped, -problem.rotation.apply(direction_1), direction_1);
-    const Real overlap = overlap_along(problem.template as<Support>(), direction);
-    const std::uint64_t used = used_lanes(rows), apart = bits(overlap < Real(0.0)) & used;
-    write_direction(problem, direction, overlap, ContactStatus::separated, apart, contacts, caches, rows);
-    if (apart != used) collect(unsolved, apart, rows);
-  }
+HWY_NOINLINE std::uint64_t check_direction(const Rows& rows) {
+  const auto problem = problem_of<Real>(rows);
+  const auto supports = problem.template as<Support>();
+  const Touch<Real> last = read_touch<Real>(problem, rows);
+  const V3<Real> direction = normalised(last.normal_1 - last.normal_2);
+  const V3<Real> point_1 = supports.support_1(direction).point, point_2 = supports.support_2(-direction).point;
+  const Real overlap = dot(point_1 - point_2, direction);
+  const MaskType<Real> apart = overlap < Real(0.0);
+  write_separation(problem, Touch<Real>{point_1, direction, point_2, -direction}, overlap, apart, rows);
+  return bits(apart);
 }
 
+/// Where a descent starts.
+enum class Origin {
+  nothing,  ///< the best of a few directions
+  cache,    ///< of these and the cached one
+};
+
+/// Leaves the best direction in the cache where it finds no answer.
 template <class Real, class Lift, class Support>
-void solve_cold(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
-                const std::vector<Index>& list, std::vector<Index>& unsolved) {
-  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
-    const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real>(pairs, rows);
-    const auto lifts = problem.template as<Lift>();
-    const auto supports = problem.template as<Support>();
-    const std::uint64_t used = used_lanes(rows);
-    std::uint64_t solved = 0;
-    Real least(0.0);
-    const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), usual, least);
-    if (gap == Gap::skip) {
-      solved = bits(least < Real(0.0)) & used;
-      write_direction(problem, touch.normal_1, least, ContactStatus::separated, solved, contacts, caches, rows);
-    }
-    if (solved != used) {
-      const Answer<Real> answer = polish(lifts, touch, usual.newtons);
-      const auto good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem));
-      const std::uint64_t converged = bits(good) & used & ~solved;
-      write_answer(problem, answer, converged, contacts, caches, rows);
-      solved |= converged;
-    }
-    if (solved != used) collect(unsolved, solved, rows);
+HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Origin origin) {
+  const auto problem = problem_of<Real>(rows);
+  const auto lifts = problem.template as<Lift>();
+  const auto supports = problem.template as<Support>();
+  V3<Real> start = first_direction(lifts, supports);
+  if (origin == Origin::cache) {
+    const Touch<Real> last = read_touch<Real>(problem, rows);
+    const V3<Real> cached = normalised(last.normal_1 - last.normal_2);
+    start = select(overlap_along(supports, cached) < overlap_along(supports, start), cached, start);
   }
+  Real least(0.0);
+  const Touch<Real> touch = descend(lifts, supports, start, effort, least);
+  MaskType<Real> solved = !(least == least);
+  if (rows.tables.gap == Gap::skip) {
+    solved = least < Real(0.0);
+    write_separation(problem, touch, least, solved, rows);
+    if (all(solved)) return bits(solved);
+  }
+  const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, effort.newtons);
+  const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !solved;
+  write_answer(problem, answer, good, rows);
+  solved = solved | good;
+  if (!all(solved)) write_touch(problem, touch, (least == least) & !solved, rows);
+  return bits((least == least) & solved);
 }
 
 /// The axes of both bodies, both ways: where the usual start fails.
@@ -358,41 +153,35 @@ HWY_INLINE V3<Real> axis_direction(const Problem<Real>& problem, int k) {
 
 /// The few pairs that are left: with patience, then from many starts. The deepest minimum of those found is the answer.
 template <class Real>
-void solve_hard(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                const std::vector<Index>& list) {
-  for (Index start = 0; start < list.size(); start += lanes<Real>()) {
-    const Rows rows = rows_from<Real>(list, start);
-    const auto problem = problem_of<Real>(pairs, rows);
-    const auto lifts = problem.template as<MixedSurface<Real>>();
-    const auto supports = problem.template as<SupportSurface<SharpJet<Real>, Real, RealPower>>();
-    const std::uint64_t used = used_lanes(rows);
-    V3<Real> best_direction = first_direction(lifts, supports);
-    Real least = overlap_along(supports, best_direction);
-    const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) {
-      Real lowest(0.0);
-      const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
-      Answer<Real> answer = polish(lifts, touch, stubborn.newtons);
-      answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
-      const MaskType<Real> lower = open & (lowest < least);
-      best_direction = select(lower, touch.normal_1, best_direction);
-      least = select(lower, lowest, least);
-      return answer;
-    };
-    Answer<Real> best = attempt(best_direction, least == least);
-    const MaskType<Real> open = !best.converged;
-    for (int k = 0; k < 12 && (bits(open) & used) != 0; ++k) {
-      const Answer<Real> answer = attempt(axis_direction(problem, k), open);
-      best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
-    }
-    const auto found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
-    const std::uint64_t converged = bits(found) & used;
-    write_answer(problem, best, converged, contacts, caches, rows);
-    const std::uint64_t finite = bits(least == least) & used & ~converged;
-    write_direction(problem, best_direction, least, ContactStatus::not_converged, finite, contacts, caches, rows);
-    const Real zero(0.0);
-    write_direction(problem, V3<Real>{zero, zero, zero}, zero, ContactStatus::degenerate, used & ~converged & ~finite,
-                    contacts, caches, rows);
+HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
+  const auto problem = problem_of<Real>(rows);
+  const auto lifts = problem.template as<MixedSurface<Real>>();
+  const auto supports = problem.template as<SupportSurface<SharpJet<Real>, Real, RealPower>>();
+  V3<Real> best_direction = first_direction(lifts, supports);
+  Real least = overlap_along(supports, best_direction);
+  const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
+    Real lowest(0.0);
+    const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+    Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, stubborn.newtons);
+    answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
+    const MaskType<Real> lower = open & (lowest < least);
+    best_direction = select(lower, touch.normal_1, best_direction);
+    least = select(lower, lowest, least);
+    return answer;
+  };
+  Answer<Real> best = attempt(best_direction, least == least);
+  const MaskType<Real> open = !best.converged;
+  for (int k = 0; k < 12 && any(open); ++k) {
+    const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+    best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
   }
+  const MaskType<Real> found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
+  const MaskType<Real> finite = least == least;
+  const Real zero(0.0);
+  write_answer(problem, best, found, rows);
+  write_failure(problem, best_direction, least, ContactStatus::not_converged, finite & !found, rows);
+  write_failure(problem, V3<Real>{zero, zero, zero}, zero, ContactStatus::degenerate, !(finite | found), rows);
+  return bits(zero == zero);
 }
 
 /// A lower bound of a body's radii of curvature: a_min²/((n − 1) a_max); zero where an exponent is below 2.
@@ -423,92 +212,132 @@ inline V3<double> v3(const Vec3& v) {
 
 /// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across.
 /// A second minimum as shallow as the first within round-off makes the contact ambiguous.
-void confirm(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-             const std::vector<Index>& list) {
+void confirm(const Tables& tables, Index i) {
   constexpr int most_supports = 300;
   constexpr std::size_t most_others = 8;
   constexpr double tolerance = 1e-4;    // minima closer than this in overlap are not told apart
   constexpr double same_normal = 0.95;  // cosine: faces nearer than this belong to the minimum itself
-  for (Index start = 0; start < list.size(); ++start) {
-    const Rows rows = rows_from<double>(list, start);
-    const Index i = list[start];
-    const auto problem = problem_of<double>(pairs, rows);
-    const auto lifts = problem.as<MixedSurface<double>>();
-    const auto supports = problem.as<SupportSurface<SharpJet<double>, double, RealPower>>();
-    const double equal = overlap_tolerance(problem);
-    double least = contacts.columns[3][i];
-    const V3<double> world{contacts.columns[0][i], contacts.columns[1][i], contacts.columns[2][i]};
-    V3<double> normal = problem.frame.apply_inverse(problem.swapped ? -world : world);
+  const Rows rows{tables, i};
+  const auto& contacts = tables.contacts;
+  const auto problem = problem_of<double>(rows);
+  const auto lifts = problem.as<MixedSurface<double>>();
+  const auto supports = problem.as<SupportSurface<SharpJet<double>, double, RealPower>>();
+  const double equal = overlap_tolerance(problem);
+  double least = contacts.columns[3][i];
+  const V3<double> world{contacts.columns[0][i], contacts.columns[1][i], contacts.columns[2][i]};
+  V3<double> normal = problem.frame.apply_inverse(problem.swapped ? -world : world);
 
-    const auto difference_point = [&](const V3<double>& u) {
-      return supports.support_1(u).point - supports.support_2(-u).point;
-    };
-    const V3<double> centre = -problem.centre_2;
-    const auto arm = [&](const V3<double>& u) { return vec3(difference_point(u) - centre); };
-    PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
-                         problem.size_1 + problem.size_2);
-    const auto minimum_from = [&](const V3<double>& direction) {
-      Answer<double> answer;
-      for (const Effort& effort : {usual, stubborn}) {
-        double lowest = 0.0;
-        const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
-        answer = polish(lifts, touch, effort.newtons);
-        answer.converged = answer.converged && answer.overlap <= lowest + equal;
-        if (answer.converged) break;
-      }
-      return answer;
-    };
-    for (int k = 0; k < most_supports; ++k) {
-      const PenetrationHull::Face* face = hull.lowest();
-      if (face == nullptr || face->offset >= (1.0 - tolerance) * least) break;
-      const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
-      if (dot(support_point, direction) < least - equal) {
-        const Answer<double> answer = minimum_from(direction);
-        if (answer.converged && answer.overlap < least - equal) {
-          write_answer(problem, answer, 1, contacts, caches, rows);
-          least = answer.overlap;
-          normal = answer.normal;
-        }
-      }
-      hull.expand(*face, vec3(support_point));
+  const auto difference_point = [&](const V3<double>& u) {
+    return supports.support_1(u).point - supports.support_2(-u).point;
+  };
+  const V3<double> centre = -problem.centre_2;
+  const auto arm = [&](const V3<double>& u) { return vec3(difference_point(u) - centre); };
+  PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
+                       problem.size_1 + problem.size_2);
+  const auto minimum_from = [&](const V3<double>& direction) {
+    Answer<double> answer;
+    for (const Effort& effort : {usual, stubborn}) {
+      double lowest = 0.0;
+      const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
+      answer = polish(lifts, {touch, 0.0}, effort.newtons);
+      answer.converged = answer.converged && answer.overlap <= lowest + equal;
+      if (answer.converged) break;
     }
-    // Faces as low as the minimum, elsewhere: one more minimum as good?
-    std::vector<V3<double>> elsewhere;
-    const auto is_new = [&](const V3<double>& direction) {
-      return dot(direction, normal) < same_normal &&
-             std::all_of(elsewhere.begin(), elsewhere.end(),
-                         [&](const V3<double>& other) { return dot(direction, other) < same_normal; });
-    };
-    for (const auto& face : hull.faces())
-      if (face.offset <= least + equal && elsewhere.size() < most_others && is_new(v3(face.normal)))
-        elsewhere.push_back(v3(face.normal));
-    for (const V3<double>& direction : elsewhere) {
+    return answer;
+  };
+  for (int k = 0; k < most_supports; ++k) {
+    const PenetrationHull::Face* face = hull.lowest();
+    if (face == nullptr || face->offset >= (1.0 - tolerance) * least) break;
+    const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
+    if (dot(support_point, direction) < least - equal) {
       const Answer<double> answer = minimum_from(direction);
-      if (!answer.converged || answer.overlap > least + equal || dot(answer.normal, normal) > same_normal) continue;
-      contacts.statuses[i] = ContactStatus::ambiguous;
-      break;
+      if (answer.converged && answer.overlap < least - equal) {
+        write_answer(problem, answer, true, rows);
+        least = answer.overlap;
+        normal = answer.normal;
+      }
     }
+    hull.expand(*face, vec3(support_point));
+  }
+  // Faces as low as the minimum, elsewhere: one more minimum as good?
+  std::vector<V3<double>> elsewhere;
+  const auto is_new = [&](const V3<double>& direction) {
+    return dot(direction, normal) < same_normal &&
+           std::all_of(elsewhere.begin(), elsewhere.end(),
+                       [&](const V3<double>& other) { return dot(direction, other) < same_normal; });
+  };
+  for (const auto& face : hull.faces())
+    if (face.offset <= least + equal && elsewhere.size() < most_others && is_new(v3(face.normal)))
+      elsewhere.push_back(v3(face.normal));
+  for (const V3<double>& direction : elsewhere) {
+    const Answer<double> answer = minimum_from(direction);
+    if (!answer.converged || answer.overlap > least + equal || dot(answer.normal, normal) > same_normal) continue;
+    tables.contacts.statuses[i] = ContactStatus::ambiguous;
+    break;
   }
 }
 
-/// What the exponents of a pair allow.
-enum Exponents : int { all_two, all_blunt, some_sharp };
+/// What is done with a pair first: by what its cache holds and by what its exponents allow. `blunt`: none is below 2;
+/// `whole`: moreover they are whole numbers, n1 a multiple of n2.
+enum Stage : std::uint8_t {
+  warm_whole,
+  warm_blunt,
+  warm_sharp,
+  apart,
+  cold_twos,
+  cold_whole,
+  cold_blunt,
+  cold_sharp,
+  stages
+};
 
-inline Exponents exponents_of(const SuperquadricPairs& pairs, Index i) {
-  const double n[] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
-  if (n[0] == 2.0 && n[1] == 2.0 && n[2] == 2.0 && n[3] == 2.0) return all_two;
-  return std::min(std::min(n[0], n[1]), std::min(n[2], n[3])) >= 2.0 ? all_blunt : some_sharp;
+/// Sorts the pairs by their first stage.
+template <class Real>
+std::array<Work, stages> sort_out(const SuperquadricPairs& pairs, const ContactCaches& caches, Gap gap) {
+  constexpr Index width = lanes<Real>();
+  const Real two(2.0);
+  const auto& columns = pairs.columns;
+  std::array<Work, stages> work;
+  for (Index start = 0; start < pairs.size(); start += width) {
+    const Index count = std::min(width, pairs.size() - start);
+    const auto exponent = [&](std::size_t column) HWY_ATTR { return load<Real>(columns[column] + start, count); };
+    const auto is_whole = [&](const Real& n1, const Real& n2) HWY_ATTR {
+      // The quotient is rounded: that it is whole is known by the product.
+      const Real multiple = floor(n1 * reciprocal(n2) + Real(0.5));
+      return (floor(n2) == n2) & (multiple * n2 == n1);
+    };
+    const Real n1_1 = exponent(3), n2_1 = exponent(4), n1_2 = exponent(15), n2_2 = exponent(16);
+    const Real least = min(min(n1_1, n2_1), min(n1_2, n2_2)), most = max(max(n1_1, n2_1), max(n1_2, n2_2));
+    const std::uint64_t blunt = bits(least >= two), twos = bits((least == two) & (most == two));
+    const std::uint64_t whole = bits(is_whole(n1_1, n2_1) & is_whole(n1_2, n2_2)) & blunt;
+    const auto stage_of = [&](Index i) {
+      const auto in = [&](std::uint64_t set) { return (set >> i & 1U) != 0; };
+      const ContactCache::State state = caches.states[start + i];
+      if (state == ContactCache::State::contact) return in(whole) ? warm_whole : in(blunt) ? warm_blunt : warm_sharp;
+      if (state == ContactCache::State::separation && gap == Gap::skip) return apart;
+      return in(twos) ? cold_twos : in(whole) ? cold_whole : in(blunt) ? cold_blunt : cold_sharp;
+    };
+    std::array<Stage, width> stage{};
+    for (Index i = 0; i < count; ++i) stage[i] = stage_of(i);
+    const bool alike =
+        count == width && std::all_of(stage.begin(), stage.end(), [&](Stage s) { return s == stage[0]; });
+    if (alike) work[stage[0]].batches.push_back(start);
+    for (Index i = 0; i < count && !alike; ++i) work[stage[i]].rows.push_back(start + i);
+  }
+  return work;
 }
 
-/// Even exponents, n1 a multiple of n2, in both bodies.
-inline bool is_even(const SuperquadricPairs& pairs, Index i) {
-  const auto whole = [](double x) { return x == std::floor(x); };
-  const auto even = [&](double n1, double n2) { return whole(0.5 * n2) && whole(n1 / n2); };
-  return even(pairs.columns[3][i], pairs.columns[4][i]) && even(pairs.columns[15][i], pairs.columns[16][i]);
+/// The stage of a pair whose first one has failed.
+inline Stage second_stage(const SuperquadricPairs& pairs, Index i) {
+  const double n[] = {pairs.columns[3][i], pairs.columns[4][i], pairs.columns[15][i], pairs.columns[16][i]};
+  const auto [least, most] = std::minmax({n[0], n[1], n[2], n[3]});
+  return least == 2.0 && most == 2.0 ? cold_twos : least >= 2.0 ? cold_blunt : cold_sharp;
 }
 
 template <class Real>
 void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+  using Whole = ImplicitSurface<Real, WholePower<Real>>;
+  using Implicit = ImplicitSurface<Real, AnyPower<Real>>;
   using Ellipsoid = GaugeSurface<Real, SquarePower>;
   using Blunt = GaugeSurface<Real, RealPower>;
   using Sharp = MixedSurface<Real>;
@@ -516,34 +345,56 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
-  std::vector<Index> warm_even, warm[3], apart[3], unsolved, cold[3], hard;
-  for (Index i = 0; i < pairs.size(); ++i) {
-    const Exponents exponents = exponents_of(pairs, i);
-    if (caches.states[i] == ContactCache::State::contact)
-      (exponents != some_sharp && is_even(pairs, i) ? warm_even : warm[exponents]).push_back(i);
-    else if (caches.states[i] == ContactCache::State::separation && gap == Gap::skip)
-      apart[exponents].push_back(i);
-    else
-      cold[exponents].push_back(i);
+  const Tables tables{pairs, caches, contacts, gap};
+  const std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
+  const auto by_stage = [&](const std::vector<Index>& rows) {
+    std::array<Work, stages> work;
+    for (const Index i : rows) work[second_stage(pairs, i)].rows.push_back(i);
+    return work;
+  };
+  std::vector<Index> turned_far, unsolved, hard, none;
+  Work off_implicit;
+  in_batches<Real>(tables, first[warm_whole], off_implicit.rows, solve_warm<Real, Whole>);
+  in_batches<Real>(tables, first[warm_blunt], off_implicit.rows, solve_warm<Real, Implicit>);
+  in_batches<Real>(tables, off_implicit, unsolved, solve_warm<Real, Blunt>);
+  in_batches<Real>(tables, first[warm_sharp], unsolved, solve_warm<Real, Sharp>);
+
+  in_batches<Real>(tables, first[apart], turned_far, check_apart<Real>);
+  const auto turned = by_stage(turned_far);
+  in_batches<Real>(tables, turned[cold_twos], unsolved, check_direction<Real, EllipsoidSupport>);
+  in_batches<Real>(tables, turned[cold_blunt], unsolved, check_direction<Real, BluntSupport>);
+  in_batches<Real>(tables, turned[cold_sharp], unsolved, check_direction<Real, SharpSupport>);
+
+  const std::vector<Index> no_longer = unsolved;  // in contact, or apart, as their caches said
+
+  const auto cold = [&]<class Lift, class Support>(const Work& work, const Effort& effort, Origin origin,
+                                                   std::vector<Index>& left) {
+    in_batches<Real>(tables, work, left,
+                     [&](const Rows& rows) { return solve_cold<Real, Lift, Support>(rows, effort, origin); });
+  };
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(first[cold_twos], usual, Origin::nothing, hard);
+  cold.template operator()<Whole, BluntSupport>(first[cold_whole], hasty, Origin::nothing, unsolved);
+  cold.template operator()<Implicit, BluntSupport>(first[cold_blunt], hasty, Origin::nothing, unsolved);
+  cold.template operator()<Sharp, SharpSupport>(first[cold_sharp], usual, Origin::nothing, hard);
+  const auto again = by_stage(unsolved);
+  cold.template operator()<Ellipsoid, EllipsoidSupport>(again[cold_twos], usual, Origin::cache, hard);
+  Work third;
+  cold.template operator()<Implicit, BluntSupport>(again[cold_blunt], brisk, Origin::cache, third.rows);
+  cold.template operator()<Blunt, BluntSupport>(third, usual, Origin::cache, hard);
+  cold.template operator()<Sharp, SharpSupport>(again[cold_sharp], usual, Origin::cache, hard);
+  in_batches<Real>(tables, {{}, hard}, none, solve_hard<Real>);
+
+  const auto prove = [&](Index i) {
+    if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
+        !is_certainly_global(pairs, contacts.columns[3][i], i))
+      confirm(tables, i);
+  };
+  for (const Stage stage : {cold_twos, cold_whole, cold_blunt, cold_sharp}) {
+    for (const Index batch : first[stage].batches)
+      for (Index i = batch; i < batch + lanes<Real>(); ++i) prove(i);
+    for (const Index i : first[stage].rows) prove(i);
   }
-  solve_warm<Real, EvenSurface<Real>>(pairs, caches, contacts, warm_even, unsolved);
-  solve_warm<Real, Blunt>(pairs, caches, contacts, warm[all_blunt], unsolved);
-  solve_warm<Real, Sharp>(pairs, caches, contacts, warm[some_sharp], unsolved);
-  check_separation<Real, EllipsoidSupport>(pairs, caches, contacts, apart[all_two], unsolved);
-  check_separation<Real, BluntSupport>(pairs, caches, contacts, apart[all_blunt], unsolved);
-  check_separation<Real, SharpSupport>(pairs, caches, contacts, apart[some_sharp], unsolved);
-  for (Index i : unsolved) cold[exponents_of(pairs, i)].push_back(i);
-  solve_cold<Real, Ellipsoid, EllipsoidSupport>(pairs, caches, contacts, gap, cold[all_two], hard);
-  solve_cold<Real, Blunt, BluntSupport>(pairs, caches, contacts, gap, cold[all_blunt], hard);
-  solve_cold<Real, Sharp, SharpSupport>(pairs, caches, contacts, gap, cold[some_sharp], hard);
-  solve_hard<Real>(pairs, caches, contacts, hard);
-  std::vector<Index> deep;
-  for (const auto& solved : cold)
-    for (Index i : solved)
-      if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
-          !is_certainly_global(pairs, contacts.columns[3][i], i))
-        deep.push_back(i);
-  confirm(pairs, caches, contacts, deep);
+  for (const Index i : no_longer) prove(i);
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
@@ -593,14 +444,20 @@ void ContactCaches::resize(std::size_t size) {
 }
 
 ContactCache ContactCaches::get(std::size_t i) const {
-  return {states[i], vector_at(columns, 0, i), vector_at(columns, 3, i), vector_at(columns, 6, i),
-          vector_at(columns, 9, i)};
+  return {states[i],
+          vector_at(columns, 0, i),
+          vector_at(columns, 3, i),
+          vector_at(columns, 6, i),
+          vector_at(columns, 9, i),
+          vector_at(columns, 12, i),
+          vector_at(columns, 15, i)};
 }
 
 void ContactCaches::set(std::size_t i, const ContactCache& cache) {
   states[i] = cache.state;
-  const Vec3* vectors[] = {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2};
-  for (std::size_t k = 0; k < 12; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
+  const Vec3* vectors[] = {&cache.point_1,  &cache.normal_1, &cache.point_2,
+                           &cache.normal_2, &cache.shape_1,  &cache.shape_2};
+  for (std::size_t k = 0; k < width; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
 }
 
 void ContactColumns::resize(std::size_t size) {

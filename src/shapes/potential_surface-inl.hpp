@@ -7,10 +7,10 @@
 #endif
 
 #include <limits>
-#include <new>
 #include <vector>
 
 #include "core/vector-inl.hpp"
+#include "osculate/core/aligned_allocator.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -79,30 +79,15 @@ struct PotentialPlane {
   Real distance;
 };
 
-/// g++ 12 gives vectors of batches the default alignment of `new`, which is not enough for them.
-template <class T>
-struct BatchAllocator {
-  using value_type = T;
-  static constexpr std::align_val_t alignment{128};
-
-  BatchAllocator() = default;
-  template <class U>
-  BatchAllocator(const BatchAllocator<U>&) {}  // NOLINT: allocators convert
-
-  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
-  void deallocate(T* from, std::size_t) { ::operator delete(from, alignment); }
-  friend bool operator==(const BatchAllocator&, const BatchAllocator&) { return true; }
-};
-
 /// A potential particle's numbers: f = of_planes Σ⟨a·x − d⟩² + of_sphere |x|² − 1. Each lane may hold another shape;
 /// those with fewer planes are filled up with planes of zero normal, which are never in play.
 template <class Real>
 struct PotentialNumbers {
-  std::vector<PotentialPlane<Real>, BatchAllocator<PotentialPlane<Real>>> planes;
+  std::vector<PotentialPlane<Real>, AlignedAllocator<PotentialPlane<Real>>> planes;
   Real of_planes, of_sphere;
   Real face_offset;  ///< no plane lets the surface further out than d + this; ∞ for spheres
   Real farthest;     ///< R/√k: no point is further out
-  mutable std::vector<Real, BatchAllocator<Real>>
+  mutable std::vector<Real, AlignedAllocator<Real>>
       in_play;  ///< 1 or 0 for each plane, while the support point is sought
 };
 

@@ -14,15 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// Powers r^exponent for r in (0, 1] and roots sum^(1/exponent) for sum in [1, 2], by exponential and logarithm.
+/// Powers r^exponent for r in (0, 1] and roots sum^(1/exponent) for sum in [1, 2].
 struct RealPower {
   template <class Real>
   static HWY_INLINE Real power(const Real& r, const Real& exponent) {
-    return exp(exponent * log(r));
+    return osculate::HWY_NAMESPACE::power(r, exponent);
   }
   template <class Real>
   static HWY_INLINE Real root(const Real& sum, const Real& exponent) {
-    return exp(log(sum) / exponent);
+    return osculate::HWY_NAMESPACE::power(sum, reciprocal(exponent));
   }
 };
 
@@ -58,12 +58,12 @@ constexpr double smallest_bend = 1e-100;
 template <class Power, class Real>
 HWY_INLINE PairNorm<Real> pair_norm(const Real& p, const Real& q, const Real& e) {
   const MaskType<Real> p_is_larger = p >= q;
-  const Real larger = max(p, q), r = min(p, q) / max(larger, Real(1e-300));
+  const Real larger = max(p, q), r = min(p, q) * reciprocal(max(larger, Real(1e-300)));
   const Real w = Power::power(max(r, Real(smallest_ratio)), e - Real(2.0));
   const Real sum = fma(w * r, r, Real(1.0));
   const Real root = Power::root(sum, e);
-  const Real hat_larger = Real(1.0) / root, hat_smaller = r * hat_larger;
-  const Real slope_larger = root / sum, slope_smaller = slope_larger * (w * r);
+  const Real hat_larger = reciprocal(root), hat_smaller = r * hat_larger;
+  const Real slope_larger = root * reciprocal(sum), slope_smaller = slope_larger * (w * r);
   const Real steep = slope_larger * root;
   return {larger * root,
           {select(p_is_larger, hat_larger, hat_smaller), select(p_is_larger, hat_smaller, hat_larger)},

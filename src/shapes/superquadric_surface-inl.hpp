@@ -1,7 +1,7 @@
 // Superquadrics as the contact solver sees them: surface points to second order, in the body frame. A surface finds the
 // point nearest to a guess of point and normal, each kind from the side that is well conditioned for it:
 //   GaugeSurface    from the point, by the gauge: exponents ≥ 2, where normals are insensitive to errors of a point
-//   EvenSurface     the same for even exponents with n1 a multiple of n2: no transcendental function
+//   ImplicitSurface the same near the surface, without roots; whole exponents need no transcendental function
 //   MixedSurface    each pair norm from the side on which it is Lipschitz: any exponents
 //   SupportSurface  from the normal alone: the support function
 #if defined(OSCULATE_SHAPES_SUPERQUADRIC_SURFACE_INL) == defined(HWY_TARGET_TOGGLE)
@@ -69,7 +69,7 @@ HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, 
   const V3<Real> i{sign.x * inverse_axes.x, sign.y * inverse_axes.y, sign.z * inverse_axes.z};
   const V3<Real> gradient{outer.slope.p * inner.slope.p * i.x, outer.slope.p * inner.slope.q * i.y,
                           outer.slope.q * i.z};
-  const Real steepness = norm(gradient), flatness = Real(1.0) / steepness;
+  const Real squared = dot(gradient, gradient), flatness = inverse_sqrt(squared), steepness = squared * flatness;
   const Real weight_a = inner.bend * outer.slope_over_hat, weight_b = outer.bend;
   Jet jet;
   jet.point = {outer.hat.p * inner.hat.p * s.x, outer.hat.p * inner.hat.q * s.y, outer.hat.q * s.z};
@@ -168,93 +168,134 @@ class MixedSurface {
   Real inner_exponent_, inner_dual_, outer_exponent_, inner_bias_;
 };
 
+/// t^power for whole powers 0 … 62, by repeated squaring, as long as any lane needs.
+template <class Real>
+class WholePower {
+ public:
+  HWY_INLINE explicit WholePower(const Real& power) {
+    Real rest = power;
+    while (any(rest > Real(0.0))) {
+      const Real half = floor(Real(0.5) * rest);
+      odd_[length_++] = half + half < rest;
+      rest = half;
+    }
+  }
+  HWY_INLINE Real operator()(const Real& t) const {
+    Real result(1.0), base = t;
+    for (int i = 0; i < length_; ++i) {
+      result = select(odd_[i], result * base, result);
+      base = base * base;
+    }
+    return result;
+  }
+  static HWY_INLINE Real quotient(const Real& a) { return floor(a + Real(0.5)); }
+
+ private:
+  int length_ = 0;
+  MaskType<Real> odd_[6];
+};
+
+/// t^power for any power; 0^0 = 1.
+template <class Real>
+class AnyPower {
+ public:
+  HWY_INLINE explicit AnyPower(const Real& power) : power_(power) {}
+  HWY_INLINE Real operator()(const Real& t) const {
+    return osculate::HWY_NAMESPACE::power(max(t, Real(1e-300)), power_);
+  }
+  static HWY_INLINE Real quotient(const Real& a) { return a; }
+
+ private:
+  Real power_;
+};
+
 /// Shape operator: diagonal + mixed · across acrossᵀ, projected.
 template <class Real>
-struct EvenJet {
-  V3<Real> point, normal, diagonal, across;
+struct LevelJet {
+  V3<Real> point, normal, diagonal;
+  V2<Real> across;  ///< has no z
   Real mixed;
+  Real excess;  ///< F − 1 where the guess was: the point is right to its third power
 };
 template <class Real>
-HWY_INLINE Sym2<Real> shape_operator(const EvenJet<Real>& jet, const TangentBasis<Real>& basis) {
+HWY_INLINE Sym2<Real> shape_operator(const LevelJet<Real>& jet, const TangentBasis<Real>& basis) {
   const V3<Real> d1 = times(jet.diagonal, basis.e1), d2 = times(jet.diagonal, basis.e2);
-  const Real a1 = dot(jet.across, basis.e1), a2 = dot(jet.across, basis.e2), m1 = jet.mixed * a1;
+  const Real a1 = fma(jet.across.p, basis.e1.x, jet.across.q * basis.e1.y);
+  const Real a2 = fma(jet.across.p, basis.e2.x, jet.across.q * basis.e2.y), m1 = jet.mixed * a1;
   return {fma(m1, a1, dot(d1, basis.e1)), fma(m1, a2, dot(d1, basis.e2)), fma(jet.mixed * a2, a2, dot(d2, basis.e2))};
 }
 
-/// The implicit form F = (X^n2 + Y^n2)^k + Z^n1 = N^n1, X = |x|/a …, k = n1/n2: integer powers only. Its level sets are
-/// those of the gauge, so normals are right off the surface too; the point is brought back to first order in F − 1.
-template <class Real>
-class EvenSurface {
+/// The implicit form F = (X^n2 + Y^n2)^k + Z^n1 = N^n1, X = |x|/a …, k = n1/n2: no roots. Its level sets are those of
+/// the gauge, so normals are right off the surface too; the point is brought back to second order in F − 1, which
+/// is good near the surface only. Near a pole with n1 < n2, where the powers of the sum overflow, it gives NaN.
+template <class Real, class Power>
+class ImplicitSurface {
  public:
-  using Jet = EvenJet<Real>;
+  using Jet = LevelJet<Real>;
 
-  HWY_INLINE explicit EvenSurface(const SuperquadricNumbers<Real>& body)
-      : inverse_axes_(inverse(body.half_axes)),
-        n1_(body.n1),
-        n2_(body.n2),
-        inverse_n1_(Real(1.0) / body.n1),
-        inner_(Real(0.5) * body.n2 - Real(1.0)),
-        outer_(Real(0.5) * body.n1 - Real(1.0)),
-        nested_(body.n1 > body.n2),
-        multiple_(max(body.n1 / body.n2 - Real(2.0), Real(0.0))) {}
+  HWY_INLINE explicit ImplicitSurface(const SuperquadricNumbers<Real>& body)
+      : ImplicitSurface(body, reciprocal(body.half_axes.x * body.half_axes.y * body.half_axes.z),
+                        reciprocal(body.n1 * body.n2)) {}
 
   HWY_INLINE Jet lift(const V3<Real>& point, const V3<Real>&) const {
     const Real one(1.0), zero(0.0);
-    const V3<Real> c = times(point, inverse_axes_);
-    const Real x2 = c.x * c.x, y2 = c.y * c.y, z2 = c.z * c.z;
-    const Real wx = inner_(x2), wy = inner_(y2), wz = outer_(z2);
-    const Real sum = fma(wx, x2, wy * y2);  // X^n2 + Y^n2
-    const Real steeper = multiple_(sum);    // sum^(k−2) for k ≥ 2
-    const Real steep = select(nested_, steeper * sum, one);
-    const Real excess = fma(steep, sum, fma(wz, z2, -one));
+    const V3<Real> c = times(point, inverse_axes_), r = absolute(c);
+    const Real wx = inner_(r.x), wy = inner_(r.y), wz = outer_(r.z);
+    const Real sum = fma(wx * r.x, r.x, wy * r.y * r.y);  // X^n2 + Y^n2
+    Real steeper = zero, steep = one;                     // sum^(k−2), sum^(k−1)
+    if (any(nested_)) {
+      steeper = multiple_(sum);
+      steep = select(nested_, steeper * sum, one);
+    }
+    const Real excess = fma(steep, sum, fma(wz * r.z, r.z, -one));
     // ∇F/n1
-    const V3<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y, zero};
-    const V3<Real> gradient{steep * along.x, steep * along.y, wz * c.z * inverse_axes_.z};
+    const V2<Real> along{wx * c.x * inverse_axes_.x, wy * c.y * inverse_axes_.y};
+    const V3<Real> gradient{steep * along.p, steep * along.q, wz * c.z * inverse_axes_.z};
     // Level sets are homothetic: curvatures at the surface are those at the guess times N.
-    const Real back = one - excess * inverse_n1_;
-    const Real flatness = one / (norm(gradient) * back);
+    // (1 + excess)^(−1/n1)
+    const Real half(0.5), step = excess * inverse_n1_;
+    const Real back = fma(step * half, fma(step, one, excess), one - step);
+    const Real unit = inverse_sqrt(dot(gradient, gradient)), flatness = unit * reciprocal(back);
     const Real inner_weight = flatness * steep * (n2_ - one);
     Jet jet;
     jet.point = back * point;
-    jet.normal = (flatness * back) * gradient;
+    jet.normal = unit * gradient;
     jet.diagonal = {inner_weight * wx * square(inverse_axes_.x), inner_weight * wy * square(inverse_axes_.y),
                     flatness * (n1_ - one) * wz * square(inverse_axes_.z)};
     jet.across = along;
     jet.mixed = select(nested_, flatness * (n1_ - n2_) * steeper, zero);
+    jet.excess = excess;
     return jet;
   }
 
- private:
-  /// t^power for integers 0 … 31 by repeated squaring, as long as any lane needs.
-  class IntegerPower {
-   public:
-    HWY_INLINE explicit IntegerPower(const Real& power) {
-      Real rest = power;
-      while (any(rest > Real(0.0))) {
-        const Real half = floor(Real(0.5) * rest);
-        odd_[length_++] = half + half < rest;
-        rest = half;
-      }
-    }
-    HWY_INLINE Real operator()(const Real& t) const {
-      Real result(1.0), base = t;
-      for (int i = 0; i < length_; ++i) {
-        result = select(odd_[i], result * base, result);
-        base = base * base;
-      }
-      return result;
-    }
+  /// The outward normal of the level set through any point ≠ 0.
+  HWY_INLINE V3<Real> normal(const V3<Real>& point) const {
+    const V3<Real> far = times(point, inverse_axes_), size = absolute(far);
+    const V3<Real> c = reciprocal(max(max(size.x, size.y), size.z)) * far, r = absolute(c);
+    const Real wx = inner_(r.x), wy = inner_(r.y), wz = outer_(r.z);
+    const Real sum = fma(wx * r.x, r.x, wy * r.y * r.y);
+    const Real steep = any(nested_) ? select(nested_, multiple_(sum) * sum, Real(1.0)) : Real(1.0);
+    return normalised(times({steep * wx * c.x, steep * wy * c.y, wz * c.z}, inverse_axes_));
+  }
 
-   private:
-    int length_ = 0;
-    MaskType<Real> odd_[5];
-  };
+ private:
+  HWY_INLINE ImplicitSurface(const SuperquadricNumbers<Real>& body, const Real& inverse_product, const Real& share)
+      : inverse_axes_{body.half_axes.y * body.half_axes.z * inverse_product,
+                      body.half_axes.z * body.half_axes.x * inverse_product,
+                      body.half_axes.x * body.half_axes.y * inverse_product},
+        n1_(body.n1),
+        n2_(body.n2),
+        inverse_n1_(body.n2 * share),
+        inner_(body.n2 - Real(2.0)),
+        outer_(body.n1 - Real(2.0)),
+        nested_(!(body.n1 == body.n2)),
+        multiple_(Power::quotient(body.n1 * body.n1 * share) - Real(2.0)) {}
 
   V3<Real> inverse_axes_;
   Real n1_, n2_, inverse_n1_;
-  IntegerPower inner_, outer_;
+  Power inner_, outer_;
   MaskType<Real> nested_;
-  IntegerPower multiple_;
+  Power multiple_;
 };
 
 }  // namespace HWY_NAMESPACE

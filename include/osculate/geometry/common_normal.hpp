@@ -13,13 +13,16 @@ struct ContactCache {
   enum class State : int {
     empty,       ///< nothing known: the next call starts cold
     contact,     ///< the points and normals of the last answer
-    separation,  ///< `normal_1` is a direction in which the bodies did not overlap
+    separation,  ///< the support points in a direction in which the bodies did not overlap, and that direction
   };
   State state = State::empty;
   Vec3 point_1 = Vec3::Zero();   ///< body 1 frame [m]
   Vec3 normal_1 = Vec3::Zero();  ///< outward unit normal there, body 1 frame
   Vec3 point_2 = Vec3::Zero();   ///< body 2 frame [m]
   Vec3 normal_2 = Vec3::Zero();  ///< outward unit normal there, body 2 frame
+  /// Shape operators there, (11, 12, 22) in a tangent basis of the solver's choice [1/m]; zero where they do not serve.
+  Vec3 shape_1 = Vec3::Zero();
+  Vec3 shape_2 = Vec3::Zero();
 };
 
 /// How far the narrow phase goes when the bodies do not touch.

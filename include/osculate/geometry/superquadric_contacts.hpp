@@ -1,27 +1,40 @@
 #pragma once
 // The narrow phase of superquadrics in bulk: many pairs at once, structure of arrays, warm state beside them.
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "osculate/core/aligned_allocator.hpp"
 #include "osculate/geometry/common_normal.hpp"
 
 namespace osculate {
 
-/// N columns of doubles of equal length.
+/// N columns of doubles of equal length, in one piece of memory. New entries are zero.
 template <std::size_t N>
 class Columns {
  public:
   void resize(std::size_t size) {
-    for (auto& column : columns_) column.resize(size);
+    if (size > stride_) {
+      Columns wider;
+      // Whole cache lines, an odd number of them: columns that start 4 KiB apart would crowd each other out.
+      const std::size_t lines = (std::max(size, stride_ + stride_ / 2) + 7) / 8;
+      wider.stride_ = 8 * (lines | 1U);
+      wider.values_.resize(N * wider.stride_);
+      for (std::size_t k = 0; k < N; ++k) std::copy_n((*this)[k], size_, wider[k]);
+      *this = std::move(wider);
+    }
+    for (std::size_t k = 0; k < N && size < size_; ++k) std::fill((*this)[k] + size, (*this)[k] + size_, 0.0);
+    size_ = size;
   }
-  std::size_t size() const { return columns_[0].size(); }
-  double* operator[](std::size_t k) { return columns_[k].data(); }
-  const double* operator[](std::size_t k) const { return columns_[k].data(); }
+  std::size_t size() const { return size_; }
+  double* operator[](std::size_t k) { return values_.data() + k * stride_; }
+  const double* operator[](std::size_t k) const { return values_.data() + k * stride_; }
 
  private:
-  std::array<std::vector<double>, N> columns_;
+  std::size_t size_ = 0, stride_ = 0;
+  std::vector<double, AlignedAllocator<double>> values_;
 };
 
 /// Pairs of superquadrics. Columns of body 1, then of body 2:
@@ -36,10 +49,11 @@ struct SuperquadricPairs {
            const Pose& pose_2);
 };
 
-/// A ContactCache for every pair. Columns: point 1, normal 1, point 2, normal 2, three each.
+/// A ContactCache for every pair. Columns, three each: point 1, normal 1, point 2, normal 2, shape 1, shape 2.
 struct ContactCaches {
+  static constexpr std::size_t width = 18;
   std::vector<ContactCache::State> states;
-  Columns<12> columns;
+  Columns<width> columns;
 
   /// New entries are empty.
   void resize(std::size_t size);
