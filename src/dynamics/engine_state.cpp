@@ -26,8 +26,9 @@ struct Totals {
   double viscous_loss, friction_loss, hysteresis_loss, curvature_gain, stored_normal, stored_tangential, stiffest;
 };
 
-/// A cache as numbers.
+/// A cache as numbers: all its vectors.
 using CacheNumbers = std::array<double, ContactCaches::width>;
+static_assert(6 * 3 == ContactCaches::width);
 CacheNumbers numbers_of(const ContactCache& cache) {
   CacheNumbers numbers{};
   std::size_t k = 0;
