@@ -219,8 +219,9 @@ HWY_INLINE void limit(Step<Real>& step, const Real& squared, const Real& longest
 constexpr double longest_step = 0.7;
 /// A step of this size is the last: what it leaves undone is its square.
 constexpr double small_step = 1e-12;
-/// Normals that differ by this are equal: points on flat sets move no further.
-constexpr double equal_normals = 3e-15;
+/// Normals that differ by this are equal (they are known to n units in the last place): points on flat sets move no
+/// further.
+constexpr double equal_normals = 1e-14;
 /// From steps below this on, the error falls with the square of the step.
 constexpr double quadratic_step = 1e-3;
 /// An error below this is left, in radians seen from the larger body's size; the surfaces are evaluated once more, for
