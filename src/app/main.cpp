@@ -21,7 +21,7 @@ constexpr const char* first_steps =
   osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
   osculate law mindlin --set friction=0.3 --picture loop.png   a law of contact, along a cycle of slip
-  osculate review table1                                   the review's Table 1: printed against computed
+  osculate review --html review                            the review's tables and figures anew, on one page
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate study halfspace                                 where two radii of curvature are not enough

@@ -1,30 +1,16 @@
 #include "io/hdf5_image.hpp"
 
-#include <hdf5.h>
-
 #include <stdexcept>
+
+#include "io/hdf5_handle.hpp"
 
 namespace osculate::io {
 namespace {
 
-/// An HDF5 object, closed with its owner.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id < 0) throw std::runtime_error("HDF5 refused to make a part of a file");
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { close_(id_); }
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
+using Handle = Hdf5Handle;
 
 void require(herr_t result) {
-  if (result < 0) throw std::runtime_error("HDF5 could not write");
+  require_hdf5(result, "write");
 }
 
 /// A property that makes the groups on the way to a new object.
@@ -51,6 +37,7 @@ Hdf5Image::~Hdf5Image() {
   H5Fclose(file_);
 }
 
+// NOLINTBEGIN(readability-make-member-function-const): these change the file behind the handle.
 void Hdf5Image::add_group(const std::string& path) {
   const Handle way(new_way(), H5Pclose);
   const Handle group(H5Gcreate2(file_, path.c_str(), way, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -73,6 +60,7 @@ void Hdf5Image::set_text(const std::string& path, const char* name, const std::s
       H5Acreate_by_name(file_, path.c_str(), name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   require(H5Awrite(attribute, type, text.c_str()));
 }
+// NOLINTEND(readability-make-member-function-const)
 
 std::string Hdf5Image::bytes() const {
   require(H5Fflush(file_, H5F_SCOPE_GLOBAL));

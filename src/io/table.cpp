@@ -46,8 +46,10 @@ std::string to_html(const Table& table) {
   std::string html = "<table>\n";
   const auto write = [&](const std::vector<std::string>& row, const std::string& cell) {
     html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      html += "<" + cell + (i < table.words ? ">" : " class=\"number\">") + escape_html(row[i]) + "</" + cell + ">";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      html.append("<").append(cell).append(i < table.words ? ">" : " class=\"number\">");
+      html.append(escape_html(row[i])).append("</").append(cell).append(">");
+    }
     html += "</tr>\n";
   };
   write(table.header, "th");

@@ -15,6 +15,7 @@
 // The target list above comes first.
 #include "mechanics/hertz-inl.hpp"
 #include "mechanics/mindlin_memory-inl.hpp"
+#include "mechanics/turn-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -81,8 +82,7 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     };
 
     const V3<Batch> minor = cross(normal, major);
-    Batch sin_spin = zero, cos_spin = one;
-    if (any(!(spin == zero))) sin_spin = sin(spin), cos_spin = cos(spin);
+    const auto [sin_spin, cos_spin] = turn_of(spin);
     carry(line, old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
     const Batch along = dot(moved, major), across = dot(moved, minor);
     PlanarOf<Batch> sheared_before{zero, zero};

@@ -124,55 +124,68 @@ HWY_INLINE PlanarOf<Real> squared(const SpringsOf<Real>& line) {
   return sum;
 }
 
-/// Where a contact holds more than `layers` points, leaves out the one that bends the line least, weighed by the
-/// stretch it bends. Points whose loss surely gives energy away, their chord lying between them and zero, go first; if
-/// energy rises all the same, the component shrinks until it does not: forgetting must not create energy.
+/// ∫ F' (−s') dη/k; on a straight piece (q_2³ − q_1³)/(q_2² − q_1²) of q = √η is the mean of F'/k.
 template <class Real>
-HWY_NOINLINE void forget_one(SpringsOf<Real>& line) {
-  static constexpr double reluctance = 4.0;
+HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
+  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
+  for (int i = 0; i < line.most; ++i) {
+    const LayerOf<Real>& a = line.at[i];
+    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
+    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
+    sum.x += mean * (a.x - b.x);
+    sum.y += mean * (a.y - b.y);
+  }
+  return sum;
+}
+
+/// Where a contact holds more than `layers` points, leaves out the one whose triangle with its neighbours is smallest.
+/// Returns what the energy of each component rises by, in the measure of `squared`; it may fall.
+template <class Real>
+HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
   const Real zero(0.0), one(1.0);
   const MaskType<Real> over = line.count > Real(double(mindlin::layers));
   const LayerOf<Real> rim = line.rim();
   LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
   Real least(1.0), smallest(std::numeric_limits<double>::infinity());
-  MaskType<Real> least_gives = zero > one;
   for (int i = 1; i < line.most; ++i) {
     const LayerOf<Real>&a = line.at[i - 1], &at = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
     const Real left = at.depth() - a.depth(), right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
-    const MaskType<Real> gives =
-        (bend_x * a.x >= zero) & (bend_x * b.x >= zero) & (bend_y * a.y >= zero) & (bend_y * b.y >= zero);
-    const MaskType<Real> real = left * right > zero;
-    const Real cost =
-        (abs(bend_x) + abs(bend_y)) * stretch / select(real, left * right, one) * select(gives, one, Real(reluctance));
-    const MaskType<Real> better = real & (cost < smallest);
-    smallest = select(better, cost, smallest);
+    const Real area = abs(bend_x) + abs(bend_y);
+    const MaskType<Real> better = (Real(double(i)) < line.count) & (area < smallest);
+    smallest = select(better, area, smallest);
     least = select(better, Real(double(i)), least);
-    least_gives = select(better, gives, least_gives);
     before = select(better, a, before);
     point = select(better, at, point);
     after = select(better, b, after);
   }
-  PlanarOf<Real> rise{zero, zero};
-  const MaskType<Real> doubtful = over & !least_gives;
-  if (any(doubtful)) {
-    const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
-    rise = {select(doubtful, chord.x - first.x - second.x, zero), select(doubtful, chord.y - first.y - second.y, zero)};
-  }
+  const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
   for (int i = 1; i < line.most; ++i) {
     const MaskType<Real> moves = over & (Real(double(i)) >= least);
     line.at[i] = select(moves, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
   }
   line.count = select(over, line.count - one, line.count);
-  if (!any((rise.x > zero) | (rise.y > zero))) return;
-  const PlanarOf<Real> total = squared(line);
-  const auto shrink = [&](const Real& more, const Real& energy) HWY_ATTR {
+  return {select(over, chord.x - first.x - second.x, zero), select(over, chord.y - first.y - second.y, zero)};
+}
+
+/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. The traction t
+/// bounds the energy from below, ∫ η^{−1/2} s² dη ≥ (4/3 t)²/(2 δ^{1/2}), which is enough where the rise is small
+/// beside it; else the energy itself is found.
+template <class Real>
+HWY_INLINE void give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
+  static constexpr double small = 0.01;
+  const Real zero(0.0), one(1.0);
+  const PlanarOf<Real> sheared = traction(line);
+  const Real share = Real(8.0 / 9.0) / line.rim_root;
+  PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
+  if (any((rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y))) energy = squared(line);
+  const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
     const MaskType<Real> needed = more > zero;
-    return select(needed, sqrt(max(one - more / select(needed, energy, one), zero)), one);
+    return select(needed, sqrt(max(one - more / select(needed, of, one), zero)), one);
   };
-  const Real scale_x = shrink(rise.x, total.x), scale_y = shrink(rise.y, total.y);
+  const Real scale_x = shrink(rise.x, energy.x), scale_y = shrink(rise.y, energy.y);
   for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
 }
 
@@ -300,24 +313,14 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   line.count = count;
   line.most = largest(count);
   for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
+  if (line.most <= mindlin::layers) return;
+  PlanarOf<Real> rise{zero, zero};
   while (line.most > mindlin::layers) {
-    forget_one(line);
+    const PlanarOf<Real> more = forget_one(line);
+    rise.x += more.x, rise.y += more.y;
     line.most = largest(line.count);
   }
-}
-
-/// ∫ F' (−s') dη/k; on a straight piece (q_2³ − q_1³)/(q_2² − q_1²) of q = √η is the mean of F'/k.
-template <class Real>
-HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
-  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
-  for (int i = 0; i < line.most; ++i) {
-    const LayerOf<Real>& a = line.at[i];
-    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
-    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
-    sum.x += mean * (a.x - b.x);
-    sum.y += mean * (a.y - b.y);
-  }
-  return sum;
+  if (any((rise.x > zero) | (rise.y > zero))) give_back(line, rise);
 }
 
 /// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal

@@ -2,9 +2,13 @@
 
 #include <fmt/core.h>
 
+#include "validation/kildashti2023/models.hpp"
 #include "validation/kildashti2023/tables.hpp"
 
 int main() {
-  for (const auto& table : osculate::validation::kildashti2023::tables())
-    fmt::print("{}\n", osculate::validation::to_text(table.compute()));
+  namespace validation = osculate::validation;
+  for (const auto& table : validation::kildashti2023::tables())
+    fmt::print("{}\n", validation::to_text(table.compute()));
+  for (const auto& models : validation::kildashti2023::model_tables())
+    fmt::print("{}\n", validation::kildashti2023::to_text(models));
 }

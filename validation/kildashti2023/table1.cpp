@@ -136,8 +136,7 @@ ReproducedTable table1() {
   const double printed_quotient = printed[2].accurate.value / printed[2].without_adhesion.value;
 
   table.notes = {
-      "The printed values of \"axes by (14)\" are Table 1's, those of \"axes by (13)\" Table 2's without adhesion (W → "
-      "0).",
+      "The printed values of \"axes by (14)\" are Table 1's, of \"axes by (13)\" Table 2's without adhesion (W → 0).",
       fmt::format(
           "The review computed Table 1 with its approximation (14), {:+.2f} % off the exact (13) in cases 1 and 2.",
           approximation_error(cases[0])),
@@ -151,19 +150,16 @@ ReproducedTable table1() {
                   "{:.4f}, while at",
                   printed[2].accurate.value, 100.0 * (printed_quotient - 1.0), printed[2].without_adhesion.value),
       fmt::format("    R_i/R_j = {:.2f} (14) gives {:+.2f} % on (13); it errs so much only at R_i/R_j ≈ {:.0f}. No "
-                  "radii near the"
-                  " decoded",
+                  "radii near the decoded",
                   cases[2].R_i.value / cases[2].R_j.value, approximation_error(cases[2]),
                   ratio_for_overestimate(printed_quotient)),
       "    ones give both. Each printed number alone is met within 0.5 %; which of the two is at fault cannot be told",
       "    without the pose.",
-      "[c] Case 3: the simplified model needs each body's Gaussian curvature, which the relative radii only bound: "
-      "from",
-      "    bodies curved alike (low) to both at the cap (high). The printed value is not available to the project.",
-      "    In cases 1 and 2, R_i at the cap means that both bodies are flat along it: both Gaussian radii are 10 "
-      "R_vol,",
-      "    R_c = 5 R_vol, γ = 1, and the force is √5. The one printed value known to the",
-      "    project, 2.2361, comes without its case; it is set against these two.",
+      "[c] Case 3: the simplified model needs each body's Gaussian curvature, which the relative radii only bound,",
+      "    from bodies curved alike (low) to both at the cap (high). The project does not have the printed value.",
+      "    In cases 1 and 2, R_i at the cap means that both bodies are flat along it: both Gaussian radii are",
+      "    10 R_vol, R_c = 5 R_vol, γ = 1, and the force is √5. The one printed value known to the project, 2.2361,",
+      "    comes without its case; it is set against these two.",
       "[d] The FEM column and the review's errors against it are not available to the project.",
       fmt::format("    Against the exact elliptical Hertz the simplified model is {:+.1f} % off in case 1, {:+.1f} % "
                   "in case 2.",

@@ -38,7 +38,7 @@ Axes compliance_ratio(const ContactEllipse& ellipse, const ElasticMaterial& mate
 /// c = Ê/2 (ν1/G1 + ν2/G2) of the compliance ratio: how much stiffer a pair is across than along. 0 for ν = 0.
 double shear_coupling(const ElasticMaterial& material_1, const ElasticMaterial& material_2);
 
-/// Displacement per force at `angle` [rad] from the major axis:                                           [KDY23 (62)]
+/// Displacement per force at `angle` [rad] from the major axis:                                      [KDY23 (62),(63)]
 /// along the force C_major cos² + C_minor sin², and across it (at angle + 90°) (C_minor − C_major) cos sin, which turns
 /// the displacement towards the major axis.
 struct OffAxis {
@@ -69,7 +69,7 @@ double stiffness(const Contact& contact, double force);
 /// Displacement at which the whole contact slides, 3/2 C μF_n [m].                                         [KDY23 (65)]
 double sliding_displacement(const Contact& contact);
 
-/// Axes of the ellipse of stick inside the ellipse of contact: (1 − F_t/(μF_n))^{1/3} of a_c and of b_c.   [KDY23 (63)]
+/// Axes of the ellipse of stick inside the ellipse of contact: (1 − F_t/(μF_n))^{1/3} of a_c and of b_c.      [MD53]
 double stick_ratio(const Contact& contact, double force);
 
 /// Decreasing F_t from a peak F_t* of virgin loading, −F_t* ≤ F_t ≤ F_t*, constant F_n:                    [KDY23 (66)]

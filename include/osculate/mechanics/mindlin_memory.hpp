@@ -32,7 +32,7 @@ struct Planar {
 };
 
 /// How many points the memory holds.
-inline constexpr int layers = 8;
+inline constexpr int layers = 6;
 
 /// One point of the polyline: the spring deflection s at a depth.
 struct Layer {

@@ -11,9 +11,9 @@ constexpr double largest_ratio = 1000.0;
 
 /// A quantity of the exact and of the approximate ellipse.
 template <class Quantity>
-io::Panel panel(std::string title, const char* label, io::Scale scale, const Quantity& quantity) {
+io::Panel panel(const std::string& title, const char* label, io::Scale scale, const Quantity& quantity) {
   const auto ratios = by_factors(1.0, largest_ratio, 121);
-  return {.title = std::move(title),
+  return {.title = title,
           .x = {.label = "radius ratio R_{i}/R_{j}", .scale = io::Scale::logarithmic},
           .y = {.label = label, .scale = scale},
           .curves = {curve("exact (13)", ratios, [&](double r) { return quantity(contact_ellipse(r, 1.0)); }),

@@ -75,7 +75,7 @@ Figure figure4() {
                  .x = {.label = "overlap δ/R_{vol} [%]"},
                  .y = {.label = "semi-axes over R_{vol}"},
                  .curves = {}};
-  for (const std::size_t i : {0, 2}) {  // case 2 cannot be told from case 1
+  for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {  // case 2 cannot be told from case 1
     const Case& pose = cases[i];
     const char* label = i == 0 ? "1, nearly 2" : "3";
     const io::Colour colour = i == 0 ? io::palette::blue : io::palette::orange;
