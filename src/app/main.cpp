@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   osculate::app::add_shape(program);
   osculate::app::add_law(program);
   osculate::app::add_render(program);
+  osculate::app::add_export(program);
   osculate::app::add_review(program);
   osculate::app::add_validate(program);
   osculate::app::add_study(program);

@@ -7,30 +7,21 @@
 #include <limits>
 #include <numbers>
 
+#include "io/particle_values.hpp"
 #include "io/quantity_text.hpp"
 #include "osculate/core/error.hpp"
-#include "osculate/dynamics/body_shape.hpp"
 #include "osculate/shapes/mesh.hpp"
 
 namespace osculate::io {
 namespace {
 
-constexpr Colour wall_colour{0.885, 0.895, 0.915};
+constexpr Colour wall_colour{0.95, 0.955, 0.97};
 constexpr Colour edge_colour{0.50, 0.53, 0.58};
 constexpr int wall_pieces = 96;
 
 /// Colours that stay apart for shapes, then for ids, in turn.
 constexpr Colour kinds[] = {{0.27, 0.50, 0.73}, {0.91, 0.61, 0.24}, {0.22, 0.62, 0.50}, {0.79, 0.36, 0.29},
                             {0.60, 0.45, 0.68}, {0.86, 0.76, 0.36}, {0.47, 0.68, 0.82}, {0.64, 0.50, 0.40}};
-
-void require_shapes(const ParticleFrame& frame, const ResultsHead& head) {
-  for (std::size_t i = 0; i < frame.shape.size(); ++i) {
-    if (frame.shape[i] >= head.shapes.size()) {
-      throw InputError("particle " + std::to_string(frame.id[i]), fmt::format("shape {}", frame.shape[i]),
-                       fmt::format("one of the {} shapes of the results", head.shapes.size()));
-    }
-  }
-}
 
 /// Fine enough for the size in which a body appears: about three pixels a cell along its outline.
 int mesh_resolution(double radius_px) {
@@ -155,17 +146,7 @@ std::vector<double> values_of(const ParticleFrame& frame, const ResultsHead& hea
   if (colour == ParticleColour::speed) {
     for (const Vec3& velocity : frame.velocity) values.push_back(velocity.norm());
   }
-  if (colour == ParticleColour::kinetic_energy) {
-    require_shapes(frame, head);
-    std::vector<BodyShape> bodies;
-    for (const ResultsShape& shape : head.shapes) bodies.push_back(body_shape(shape.shape));
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      const BodyShape& body = bodies[frame.shape[i]];
-      const Vec3 omega = frame.orientation[i].conjugate() * frame.angular_velocity[i];
-      values.push_back(0.5 * head.shapes[frame.shape[i]].density *
-                       (body.volume * frame.velocity[i].squaredNorm() + omega.dot(body.inertia.cwiseProduct(omega))));
-    }
-  }
+  if (colour == ParticleColour::kinetic_energy) values = kinetic_energies(frame, head);
   return values;
 }
 
@@ -197,8 +178,7 @@ Picture assembly_picture(const ParticleFrame& frame, const ResultsHead& head, co
       swarm.mesh = surface_mesh(shape.shape, mesh_resolution(radius * px_per_metre));
       largest = std::max(largest, radius);
     }
-    swarm.poses.push_back(
-        {frame.pose(i).to_world(shape.frame.position), frame.orientation[i] * shape.frame.orientation});
+    swarm.poses.push_back(shape_pose_of(frame, head, i));
     if (!values.empty()) {
       swarm.scalars.push_back(values[i] / unit.size);
     } else {
