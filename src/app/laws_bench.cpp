@@ -43,13 +43,16 @@ enum class Path {
   wandering,    ///< overlap and both components at random
 };
 
+/// What is asked of the law.
+enum class Asked { forces, energies };
+
 /// Contacts at different phases of a path; their memories wander on from call to call.
 class Bed {
  public:
   static constexpr std::size_t length = 64;
 
-  Bed(const Radii& radii, Path path, std::size_t memory)
-      : radii_(radii), memory_(memory), status_(radii.R_i.size()), mass_(radii.R_i.size(), 1e-5) {
+  Bed(const Radii& radii, Path path, Asked asked, std::size_t memory)
+      : radii_(radii), asked_(asked), memory_(memory), status_(radii.R_i.size()), mass_(radii.R_i.size(), 1e-5) {
     const std::size_t count = radii.R_i.size();
     for (auto& column : frame_) column.resize(count);
     for (auto& column : out_) column.resize(count);
@@ -77,6 +80,11 @@ class Bed {
   void step(const ContactLaw& law) {
     const auto& now = steps_[next_];
     next_ = (next_ + 1) % length;
+    LawOutput output{.force = {out_[0], out_[1], out_[2]}, .normal_force = out_[3], .status = status_};
+    if (asked_ == Asked::energies) {
+      output.stored_normal = out_[4], output.stored_tangential = out_[5];
+      output.viscous_loss = out_[6], output.friction_loss = out_[7], output.hysteresis_loss = out_[8];
+    }
     law.evaluate({.R_i = radii_.R_i,
                   .R_j = radii_.R_j,
                   .overlap = now[0],
@@ -86,7 +94,7 @@ class Bed {
                   .mean_angular_velocity = {now[4], now[5], now[6]},
                   .reduced_mass = mass_,
                   .time_step = time_step},
-                 memory_, {.force = {out_[0], out_[1], out_[2]}, .normal_force = out_[3], .status = status_});
+                 memory_, output);
   }
 
  private:
@@ -109,17 +117,18 @@ class Bed {
   }
 
   const Radii& radii_;
+  Asked asked_;
   std::array<std::array<Column, 7>, length> steps_;
   std::array<Column, 6> frame_;
-  std::array<Column, 4> out_;
+  std::array<Column, 9> out_;
   std::vector<double, Eigen::aligned_allocator<double>> memory_;
   std::vector<LawStatus> status_;
   Column mass_;
   std::size_t next_ = 0;
 };
 
-Timing time_law(const ContactLaw& law, const Radii& radii, Path path, int repetitions) {
-  Bed bed(radii, path, law.memory_length(radii.R_i.size()));
+Timing time_law(const ContactLaw& law, const Radii& radii, Path path, Asked asked, int repetitions) {
+  Bed bed(radii, path, asked, law.memory_length(radii.R_i.size()));
   const auto run = [&] {
     for (std::size_t k = 0; k < Bed::length; ++k) bed.step(law);
   };
@@ -220,26 +229,50 @@ std::vector<LawTimes> time_laws(const LawBenchSettings& settings) {
   const ChosenLaw hertz{"hertz", {}}, viscous{"brilliantov", {{"dissipative_time", 1e-8}}},
       tsuji{"tsuji", {{"restitution", 0.8}}};
   const ChosenLaw mindlin{"mindlin", {{"friction", friction}}}, history{"tsuji_tangential", {{"friction", friction}}};
+  const ChosenLaw spring{"cundall_strack", {{"friction", friction}, {"tangential_stiffness", 1e6}}};
+  const ChosenLaw jkr{"jkr", {{"work_of_adhesion", 0.05}}};
+  const ChosenLaw plastic{
+      "jamari_schipper",
+      {{"hardness", 1.2e9}, {"yield_factor", 0.577}, {"plastic_factor", 0.7}, {"area_ratio", 160.0}}};
   struct Case {
     const char* name;
     LawChoice choice;
     Path path;
     const char* path_name;
+    Asked asked = Asked::forces;
+    bool has_scalar = true;  ///< the normal force of others is always found in batches
   };
   const Case cases[] = {
       {"Hertz, viscous, Mindlin", {hertz, viscous, mindlin}, Path::oscillating, "one direction, to and fro"},
       {"Hertz, viscous, Mindlin", {hertz, viscous, mindlin}, Path::impact, "impact, slip turning"},
       {"Hertz, viscous, Mindlin", {hertz, viscous, mindlin}, Path::wandering, "at random"},
       {"Hertz, Tsuji, one spring", {hertz, tsuji, history}, Path::impact, "impact, slip turning"},
-      {"Hertz, viscous, one spring", {hertz, viscous, history}, Path::wandering, "at random"}};
+      {"Hertz, viscous, one spring", {hertz, viscous, history}, Path::wandering, "at random"},
+      {"Hertz, viscous, Mindlin", {hertz, viscous, mindlin}, Path::impact, "impact, and its energies", Asked::energies},
+      {"Hertz, Tsuji, one spring", {hertz, tsuji, history}, Path::impact, "impact, and its energies", Asked::energies},
+      {"JKR, viscous, one spring",
+       {hertz, jkr, viscous, spring},
+       Path::impact,
+       "impact, slip turning",
+       Asked::forces,
+       false},
+      {"Jamari-Schipper, one spring",
+       {hertz, plastic, spring},
+       Path::impact,
+       "impact, slip turning",
+       Asked::forces,
+       false}};
 
   Progress progress("bench laws");
   std::vector<LawTimes> times{time_hertz_alone(radii, settings.repetitions), time_jkr(radii, settings.repetitions),
                               time_jamari(radii, settings.repetitions)};
   for (const Case& one : cases) {
-    const auto time = [&](const ContactLaw& law) { return time_law(law, radii, one.path, settings.repetitions); };
-    times.push_back({one.name, one.path_name, time(make_contact_law(one.choice, glass, glass)),
-                     time(make_contact_law_scalar(one.choice, glass, glass))});
+    const auto time = [&](const ContactLaw& law) {
+      return time_law(law, radii, one.path, one.asked, settings.repetitions);
+    };
+    LawTimes result{one.name, one.path_name, time(make_contact_law(one.choice, glass, glass)), std::nullopt};
+    if (one.has_scalar) result.scalar = time(make_contact_law_scalar(one.choice, glass, glass));
+    times.push_back(result);
     progress.update(static_cast<double>(times.size()) / static_cast<double>(3 + std::size(cases)));
   }
   return times;

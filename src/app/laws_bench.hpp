@@ -2,6 +2,7 @@
 // What the contact laws of a time step cost: batched against contact by contact, in the same run.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct LawBenchSettings {
 struct LawTimes {
   std::string name;
   std::string path;  ///< how the contacts move
-  Timing batched, scalar;
+  Timing batched;
+  std::optional<Timing> scalar;  ///< nothing for a law whose scalar form is not kept
 };
 
 std::vector<LawTimes> time_laws(const LawBenchSettings& settings);

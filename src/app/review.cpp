@@ -18,6 +18,8 @@ namespace {
 
 namespace kildashti2023 = validation::kildashti2023;
 
+constexpr std::size_t line_width = 118;
+
 constexpr const char* review_help = R"(Examples:
   osculate review                    every table, and what the figures show
   osculate review table1 fig6        one table and one figure in words
@@ -46,6 +48,29 @@ std::string json_of(const kildashti2023::Figure& figure) {
   return nlohmann::ordered_json{{"title", figure.plot.title}, {"caption", figure.caption}}.dump(2);
 }
 
+/// Lines of at most so many characters, broken between words.
+std::string wrapped(std::string_view text, std::size_t width) {
+  std::string out;
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = std::min(text.find(' ', i), text.size());
+    const std::string_view word = text.substr(i, end - i);
+    const auto length = static_cast<std::size_t>(std::count_if(
+        word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    if (column > 0 && column + 1 + length > width) {
+      out += '\n';
+      column = 0;
+    } else if (column > 0) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += length;
+    i = end + 1;
+  }
+  return out;
+}
+
 void print(const Options& options) {
   std::vector<std::string> documents;
   const auto add = [&](std::string_view name, const std::string& text, const std::string& json) {
@@ -61,7 +86,7 @@ void print(const Options& options) {
   for (const auto& entry : kildashti2023::figures()) {
     if (!options.wants(entry.name)) continue;
     const kildashti2023::Figure figure = entry.compute();
-    add(entry.name, fmt::format("{}\n{}\n", figure.plot.title, figure.caption), json_of(figure));
+    add(entry.name, fmt::format("{}\n{}\n", figure.plot.title, wrapped(figure.caption, line_width)), json_of(figure));
   }
   if (options.json)
     fmt::print("{{{}}}\n", fmt::join(documents, ",\n"));

@@ -36,6 +36,7 @@ td { border-bottom: 1px solid #e2e5e8; padding: 4px 12px 4px 0; vertical-align: 
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 figure { margin: 1.2em 0 2.4em; } figure svg { width: 100%; height: auto; }
 figcaption { font-size: 0.9em; color: #3a3f44; max-width: 100ch; } code { font-size: 0.95em; }
+sub, sup { line-height: 0; font-size: 0.78em; }
 .notes { font-size: 0.86em; white-space: pre-wrap; }
 )";
 
@@ -73,7 +74,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 std::string notes_html(const std::vector<std::string>& lines) {
-  return fmt::format("<div class=\"notes\">{}</div>\n", io::escape_html(fmt::format("{}", fmt::join(lines, "\n"))));
+  return fmt::format("<div class=\"notes\">{}</div>\n", io::html_of_formula(fmt::format("{}", fmt::join(lines, "\n"))));
 }
 
 std::string tables_html() {
@@ -102,7 +103,7 @@ std::string figures_html(const std::vector<io::NamedPlot>& plots, Progress& prog
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const io::NamedPlot& plot = plots[i];
     html += fmt::format("<figure id=\"{}\">\n{}\n<figcaption>{} {}</figcaption>\n</figure>\n", plot.name,
-                        io::svg_of(plot.plot, plot.name), io::escape_html(plot.caption),
+                        io::svg_of(plot.plot, plot.name), io::html_of_formula(plot.caption),
                         download("Its numbers.", plot.name + ".csv", "text/csv", io::csv_of(plot.plot)));
     progress.update(static_cast<double>(i + 1) / static_cast<double>(plots.size()));
   }

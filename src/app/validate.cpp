@@ -2,15 +2,19 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <memory>
+#include <string>
+
 #include "app/commands.hpp"
 #include "app/validate_narrow.hpp"
+#include "io/table.hpp"
 #include "osculate/core/error.hpp"
+#include "validation/contact_mechanics/reference_errors.hpp"
 
 #ifdef OSCULATE_HAS_CGAL
-#include <algorithm>
 #include <limits>
 
-#include "io/table.hpp"
 #include "validation/curvature/jet_curvature.hpp"
 #endif
 
@@ -62,6 +66,29 @@ void validate_curvature() {
 
 #endif
 
+void validate_mechanics(const std::string& file) {
+  namespace reference = validation::contact_mechanics;
+  io::Table table{{"family", "quantity", "loses digits in", "values", "worst relative error"}, {}, 3};
+  double worst = 0.0;
+  for (const reference::QuantityError& error : reference::reference_errors(file)) {
+    table.rows.push_back({error.family, error.quantity, error.lost_digits, fmt::format("{}", error.values),
+                          fmt::format("{:.1e}", error.worst)});
+    worst = std::max(worst, error.worst);
+  }
+  const bool agree = worst <= reference::bar;
+  fmt::print(
+      "The laws against values computed with 40-digit arithmetic.\n\n{}\nWorst {:.1e}, asked {:.0e}. Verdict: {}.\n",
+      io::to_text(table), worst, reference::bar, agree ? "the laws agree" : "THE LAWS DISAGREE");
+  if (!agree) throw CLI::RuntimeError(1);
+}
+
+void add_mechanics(CLI::App& validate) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* command = validate.add_subcommand("mechanics", "The laws against reference values of 40-digit arithmetic");
+  command->add_option("file", *file, "Such as tests/data/contact_mechanics.json")->required();
+  command->callback([file] { validate_mechanics(*file); });
+}
+
 }  // namespace
 
 void add_validate(CLI::App& program) {
@@ -73,6 +100,7 @@ void add_validate(CLI::App& program) {
           "Principal curvatures against polynomials fitted to surface points (CGAL), with convergence order")
       ->callback(validate_curvature);
   add_validate_narrow(*validate);
+  add_mechanics(*validate);
 }
 
 }  // namespace osculate::app

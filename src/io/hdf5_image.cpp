@@ -1,30 +1,16 @@
 #include "io/hdf5_image.hpp"
 
-#include <hdf5.h>
-
 #include <stdexcept>
+
+#include "io/hdf5_handle.hpp"
 
 namespace osculate::io {
 namespace {
 
-/// An HDF5 object, closed with its owner.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id < 0) throw std::runtime_error("HDF5 refused to make a part of a file");
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { close_(id_); }
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
+using Handle = Hdf5Handle;
 
 void require(herr_t result) {
-  if (result < 0) throw std::runtime_error("HDF5 could not write");
+  require_hdf5(result, "write");
 }
 
 /// A property that makes the groups on the way to a new object.

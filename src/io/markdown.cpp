@@ -9,13 +9,45 @@
 namespace osculate::io {
 namespace {
 
+/// How many bytes the character at a place takes in UTF-8.
+std::size_t length_of_character(std::string_view text, std::size_t at) {
+  std::size_t length = 1;
+  while (at + length < text.size() && (static_cast<unsigned char>(text[at + length]) & 0xC0U) == 0x80U) ++length;
+  return length;
+}
+
+/// An index or power that begins at a place of a text.
+struct Script {
+  std::string_view content;
+  std::size_t end;  ///< place after it; the place itself if there is none
+};
+
+Script script_at(std::string_view text, std::size_t at, char kind) {
+  if (at >= text.size()) return {{}, at};
+  if (text[at] == '{') {
+    const std::size_t close = text.find('}', at);
+    return close == std::string_view::npos ? Script{{}, at} : Script{text.substr(at + 1, close - at - 1), close + 1};
+  }
+  std::size_t end = at;
+  if (kind == '^') {
+    if (text[at] != ' ') end += length_of_character(text, at);
+  } else {
+    while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])) != 0) ++end;
+  }
+  return {text.substr(at, end - at), end};
+}
+
 /// Code, emphasis and links within a line.
 std::string html_of_line(std::string_view line) {
-  std::string html;
+  std::string html, plain;
+  const auto add = [&](const std::string& part) {
+    html += html_of_formula(plain) + part;
+    plain.clear();
+  };
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '\\' && i + 1 < line.size() && std::ispunct(static_cast<unsigned char>(line[i + 1])) != 0) {
-      html += escape_html(line.substr(++i, 1));
+      add(escape_html(line.substr(++i, 1)));
       continue;
     }
     const std::size_t end = c == '`' || c == '*' ? line.find(c, i + 1) : std::string_view::npos;
@@ -23,20 +55,21 @@ std::string html_of_line(std::string_view line) {
     const bool begins_word = (i == 0 || line[i - 1] == ' ') && i + 1 < line.size() && line[i + 1] != ' ';
     if (end != std::string_view::npos && (c == '`' || begins_word)) {
       const std::string_view inner = line.substr(i + 1, end - i - 1);
-      html += c == '`' ? "<code>" + escape_html(inner) + "</code>" : "<em>" + html_of_line(inner) + "</em>";
+      add(c == '`' ? "<code>" + escape_html(inner) + "</code>" : "<em>" + html_of_line(inner) + "</em>");
       i = end;
       continue;
     }
     if (c == '[') {
       const std::size_t close = line.find("](", i), last = line.find(')', close);
       if (close != std::string_view::npos && last != std::string_view::npos) {
-        html += html_of_line(line.substr(i + 1, close - i - 1));
+        add(html_of_line(line.substr(i + 1, close - i - 1)));
         i = last;
         continue;
       }
     }
-    html += escape_html(line.substr(i, 1));
+    plain += c;
   }
+  add("");
   return html;
 }
 
@@ -135,6 +168,26 @@ std::string escape_html(std::string_view text) {
     }
   }
   return out;
+}
+
+std::string html_of_formula(std::string_view text) {
+  std::string html;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    // An index or power stands behind something.
+    if ((c == '_' || c == '^') && i > 0 && text[i - 1] != ' ') {
+      const Script script = script_at(text, i + 1, c);
+      if (script.end > i + 1) {
+        const char* element = c == '_' ? "sub" : "sup";
+        html += fmt::format("<{0}>{1}</{0}>", element, html_of_formula(script.content));
+        i = script.end;
+        continue;
+      }
+    }
+    html += escape_html(text.substr(i, 1));
+    ++i;
+  }
+  return html;
 }
 
 std::string html_of_markdown(std::string_view page, int top_level) {

@@ -24,9 +24,14 @@ constexpr double png_scale = 2;
 
 using std::back_inserter;
 
+/// What a reader sees of a text: code points, without the marks of _{...} and ^{...}.
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  std::size_t count = 0;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (!continues && std::string_view("_^{}").find(c) == std::string_view::npos) ++count;
+  }
+  return count;
 }
 
 /// Literal text for gnuplot's enhanced mode, in single quotes, _{...} and ^{...} kept.

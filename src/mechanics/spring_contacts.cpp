@@ -33,11 +33,69 @@ HWY_INLINE V3<Batch> shortened(const V3<Batch>& a, const Batch& longest) {
   return select(longer, longest / sqrt(select(longer, square_length, one)), one) * a;
 }
 
+/// What a spring remembers, see laws/spring.hpp.
+struct SpringMemory {
+  V3<Batch> stretch, normal;
+  Batch stiffness;
+
+  static HWY_INLINE SpringMemory read(const double* block) {
+    const auto entry = [&](std::size_t k) HWY_ATTR { return load<Batch>(block + k * law_lanes, lanes<Batch>()); };
+    return {{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, entry(6)};
+  }
+  HWY_INLINE void write(double* block) const {
+    std::size_t k = 0;
+    for (const Batch& value : {stretch.x, stretch.y, stretch.z, normal.x, normal.y, normal.z, stiffness})
+      store(value, block + k++ * law_lanes, lanes<Batch>());
+  }
+};
+HWY_INLINE SpringMemory select(const Mask& condition, const SpringMemory& yes, const SpringMemory& no) {
+  return {select(condition, yes.stretch, no.stretch), select(condition, yes.normal, no.normal),
+          select(condition, yes.stiffness, no.stiffness)};
+}
+
+struct SpringMotion {
+  V3<Batch> normal, slide;  ///< slide: relative velocity in the plane
+  Batch spin, time_step;
+};
+struct SpringAnswer {
+  V3<Batch> force, dashpot;
+  Batch stored, stored_before, work;  ///< work of the spring's force in the step
+  SpringMemory memory;
+};
+
+/// One step of spring, dashpot and slider.
+HWY_INLINE SpringAnswer rub(const SpringMemory& before, const SpringMotion& motion, const Batch& stiffness,
+                            const Batch& damping, const Batch& limit) {
+  const Batch one(1.0), half(0.5);
+  const V3<Batch>& normal = motion.normal;
+  // Carried along the turn of the normal by the shortest way, then by the spin.
+  const Batch share = dot(before.stretch, normal) / max(one + dot(before.normal, normal), Batch(1e-30));
+  const V3<Batch> moved = before.stretch - share * (before.normal + normal);
+  const auto [sine, cosine] = turn_of(motion.spin);
+  const V3<Batch> turned = cosine * moved + sine * cross(normal, moved);
+  const V3<Batch> stretch = turned - dot(turned, normal) * normal;  // rounding must not add up
+
+  const V3<Batch> step = motion.time_step * motion.slide, viscous = damping * motion.slide;
+  const V3<Batch> tried = stretch + step, trial = stiffness * tried + viscous;
+  const Mask slips = dot(trial, trial) > limit * limit;
+  const V3<Batch> force = select(slips, shortened(trial, limit), trial);
+  // In sliding the spring holds what the dashpot leaves over, and no more than the limit.
+  const Batch yielding = one / stiffness;
+  const V3<Batch> now = select(slips, shortened(yielding * (force - viscous), limit * yielding), tried);
+  const V3<Batch> elastic = stiffness * now;
+  return {force,
+          force - elastic,
+          half * stiffness * dot(now, now),
+          half * before.stiffness * dot(before.stretch, before.stretch),
+          half * dot(before.stiffness * stretch + elastic, step),
+          {now, normal, stiffness}};
+}
+
 void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, double* memory,
                      const LawOutput& output) {
   const Batch zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  const Batch time_step(input.time_step), friction(pair.friction), damping(pair.tangential_damping);
-  const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
+  const Batch time_step(input.time_step);
+  const V3<Batch> none{zero, zero, zero};
   const std::size_t size = input.R_i.size();
   for (std::size_t start = 0; start < size; start += lanes<Batch>()) {
     const std::size_t count = std::min(lanes<Batch>(), size - start);
@@ -45,7 +103,8 @@ void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, d
     const Batch depth = load<Batch>(&input.overlap[start], count);
     const V3<Batch> normal = load(input.normal, start, count), major = load(input.major_axis, start, count);
     const V3<Batch> velocity = load(input.velocity, start, count);
-    const V3<Batch> turning = load(input.mean_angular_velocity, start, count);
+    V3<Batch> turning = none;
+    if (!input.mean_angular_velocity.x.empty()) turning = load(input.mean_angular_velocity, start, count);
     const Batch mass = pair.damping_factor > 0.0 ? load<Batch>(&input.reduced_mass[start], count) : one;
     const Batch all = abs(depth) + size_of(normal) + size_of(major) + size_of(velocity) + size_of(turning);
     const Mask good =
@@ -62,62 +121,36 @@ void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, d
       dashpot += Batch(pair.damping_factor) * sqrt(Batch(2.0 / 3.0) * mass * state.stiffness);
     const Batch normal_force = max(fma(dashpot, rate, state.force), zero);
 
-    // The spring as it was, carried along the turn of the normal by the shortest way, then by the spin.
+    const V3<Batch> slide = velocity + rate * normal;
     double* block = memory + start / law_lanes * law_lanes * laws::spring_memory + start % law_lanes;
-    const auto remembered = [&](std::size_t entry)
-                                HWY_ATTR { return load<Batch>(block + entry * law_lanes, lanes<Batch>()); };
-    const V3<Batch> old_stretch{remembered(0), remembered(1), remembered(2)};
-    const V3<Batch> old_normal{remembered(3), remembered(4), remembered(5)};
-    const Batch old_stiffness = remembered(6);
-    const Batch spin = dot(turning, normal) * time_step;
-    const Batch share = dot(old_stretch, normal) / max(one + dot(old_normal, normal), Batch(1e-30));
-    const V3<Batch> moved = old_stretch - share * (old_normal + normal);
-    const auto [sin_spin, cos_spin] = turn_of(spin);
-    V3<Batch> stretch = cos_spin * moved + sin_spin * cross(normal, moved);
-    stretch = stretch - dot(stretch, normal) * normal;  // rounding must not add up
-
-    const V3<Batch> slide = velocity + rate * normal, step = time_step * slide;
-    const Batch stiffness = fma(Batch(pair.stiffness_ratio), state.stiffness, Batch(pair.tangential_stiffness));
-    const Batch limit = friction * normal_force;
-    const V3<Batch> viscous = damping * slide;
-    const V3<Batch> tried = stretch + step, trial = stiffness * tried + viscous;
-    const Mask slips = dot(trial, trial) > limit * limit;
-    const V3<Batch> tangential = select(slips, shortened(trial, limit), trial);
-    // In sliding the spring holds what the dashpot leaves over, and no more than the limit.
-    const Batch yielding = one / stiffness;
-    const V3<Batch> now = select(slips, shortened(yielding * (tangential - viscous), limit * yielding), tried);
+    SpringAnswer spring{none, none, zero, zero, zero, {none, none, zero}};
+    if (pair.kind == spring_contacts::Friction::spring) {
+      const SpringMemory before = SpringMemory::read(block);
+      const Batch stiffness = fma(Batch(pair.stiffness_ratio), state.stiffness, Batch(pair.tangential_stiffness));
+      spring = rub(before, {normal, slide, dot(turning, normal) * time_step, time_step}, stiffness,
+                   Batch(pair.tangential_damping), Batch(pair.friction) * normal_force);
+      // Bad numbers leave the memory as it was, an open contact none.
+      const SpringMemory nothing{none, none, zero};
+      select(pressed, spring.memory, select(good, nothing, before)).write(block);
+    }
 
     const auto say = [&](const Batch& value, std::span<double> to) HWY_ATTR {
       if (!to.empty()) store(select(pressed, value, zero), &to[start], count);
     };
-    const V3<Batch> force = tangential - normal_force * normal;
+    const V3<Batch> force = spring.force - normal_force * normal;
     say(force.x, output.force.x), say(force.y, output.force.y), say(force.z, output.force.z);
     say(normal_force, output.normal_force);
     say(state.a_c, output.a_c);
     say(ellipse.axis_ratio, output.axis_ratio);
     say(state.stiffness, output.stiffness);
     say(state.strain_energy, output.stored_normal);
-    const V3<Batch> rest = tangential - stiffness * now;
-    say(fma(normal_force - state.force, rate, dot(rest, slide)) * time_step, output.viscous_loss);
-    if (energies) {
-      const Batch half(0.5);
-      const Batch stored = half * stiffness * dot(now, now);
-      const Batch before = half * old_stiffness * dot(old_stretch, old_stretch);
-      say(stored, output.stored_tangential);
-      if (!output.friction_loss.empty()) {
-        const Batch work = half * dot(old_stiffness * stretch + stiffness * now, step);
-        store(select(pressed, work + before - stored, select(good, before, zero)), &output.friction_loss[start], count);
-      }
-    }
+    say(fma(normal_force - state.force, rate, dot(spring.dashpot, slide)) * time_step, output.viscous_loss);
+    say(spring.stored, output.stored_tangential);
+    if (!output.friction_loss.empty())
+      store(
+          select(pressed, spring.work + spring.stored_before - spring.stored, select(good, spring.stored_before, zero)),
+          &output.friction_loss[start], count);
     if (!output.hysteresis_loss.empty()) store(zero, &output.hysteresis_loss[start], count);
-
-    // Bad numbers leave the memory as it was, an open contact none.
-    const auto remember = [&](const Batch& value, std::size_t entry) HWY_ATTR {
-      store(select(pressed, value, select(good, zero, remembered(entry))), block + entry * law_lanes, lanes<Batch>());
-    };
-    remember(now.x, 0), remember(now.y, 1), remember(now.z, 2);
-    remember(normal.x, 3), remember(normal.y, 4), remember(normal.z, 5);
-    remember(stiffness, 6);
 
     const Mask large = input.smallest_radius.empty()
                            ? zero > one

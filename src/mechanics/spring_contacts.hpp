@@ -6,8 +6,11 @@
 
 namespace osculate::spring_contacts {
 
+enum class Friction { none, spring };
+
 /// What a pair of materials brings. Dashpot along the normal: A dF/dδ + α (m k)^{1/2} δ^{1/4}, as in mindlin::Pair.
 struct Pair {
+  Friction kind = Friction::none;     ///< without friction nothing is remembered
   double modulus;                     ///< Ê [Pa]
   double damping_time = 0.0;          ///< A [s]
   double damping_factor = 0.0;        ///< α
@@ -17,7 +20,7 @@ struct Pair {
   double tangential_damping = 0.0;    ///< c_t [N s/m]
 };
 
-/// Memory as in laws/spring.hpp. Sizes have been checked; the reduced mass is there where α > 0.
+/// Memory as in laws/spring.hpp, none without friction. Sizes have been checked; the reduced mass is there where α > 0.
 void evaluate(const Pair& pair, const LawInput& input, double* memory, const LawOutput& output);
 
 }  // namespace osculate::spring_contacts

@@ -15,5 +15,12 @@ TEST_CASE("Code, emphasis and links within a line; asterisks of formulas stay") 
   CHECK(io::html_of_markdown("run `a < b`, see [here](page.md), the *right* one\n", 1) ==
         "<p>run <code>a &lt; b</code>, see here, the <em>right</em> one\n</p>\n");
   CHECK(io::html_of_markdown("F_t*' = F_t* − μ(F_n* − F_n) [KDY23]\n", 1) ==
-        "<p>F_t*' = F_t* − μ(F_n* − F_n) [KDY23]\n</p>\n");
+        "<p>F<sub>t</sub>*' = F<sub>t</sub>* − μ(F<sub>n</sub>* − F<sub>n</sub>) [KDY23]\n</p>\n");
+}
+
+TEST_CASE("Formulas in plain text get their indices and powers, and nothing else does") {
+  CHECK(io::html_of_formula("4/3 Ê R_vol^½ δ^{3/2} F_{3/2}(h)") ==
+        "4/3 Ê R<sub>vol</sub><sup>½</sup> δ<sup>3/2</sup> F<sub>3/2</sub>(h)");
+  CHECK(io::html_of_formula("a < b_c, _x, ^ and {y}, end_") == "a &lt; b<sub>c</sub>, _x, ^ and {y}, end_");
+  CHECK(io::html_of_markdown("`a_c` is a_c\n", 1) == "<p><code>a_c</code> is a<sub>c</sub>\n</p>\n");
 }

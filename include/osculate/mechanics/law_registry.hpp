@@ -85,12 +85,13 @@ using LawChoice = std::vector<ChosenLaw>;
 /// Throws InputError for an unknown law or parameter, one out of range or missing, two laws of a slot, no normal law,
 /// laws that do not go together (with the reason), bad materials. Parameters and materials are checked here, once:
 /// evaluation does not throw for them.
-/// What is fast: hertz with brilliantov, tsuji or no dashpot, and mindlin, cundall_strack, di_renzo or no friction runs
-/// in SIMD batches; other laws contact by contact in doubles.
+/// What is fast: hertz with brilliantov, tsuji or no dashpot, and no friction, mindlin, cundall_strack, di_renzo or
+/// tsuji_tangential runs in SIMD batches altogether; of jkr and jamari_schipper the normal force does. The rest runs
+/// contact by contact.
 ContactLaw make_contact_law(const LawChoice& choice, const ElasticMaterial& material_1,
                             const ElasticMaterial& material_2);
 
-/// The same law without the batches, contact by contact: what they are compared with.
+/// The same law composed of its parts, without the batches that do all at once: what they are compared with.
 ContactLaw make_contact_law_scalar(const LawChoice& choice, const ElasticMaterial& material_1,
                                    const ElasticMaterial& material_2);
 

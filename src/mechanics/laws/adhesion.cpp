@@ -28,39 +28,58 @@ johnson_greenwood::Pair pair_of(double R_i, double R_j, double modulus, double w
 
 constexpr std::size_t ellipse_memory = 2;
 
+/// One column a quantity, for up to `stretch` contacts.
+using Column = std::array<double, stretch>;
+
+/// What has been found of a contact becomes its force and its memory.
+void close(Contact& contact, const johnson_greenwood::Memory& ellipse, johnson_greenwood::Status status, double work,
+           Memory memory) {
+  using johnson_greenwood::Status;
+  const bool was_closed = johnson_greenwood::Memory{memory[0], memory[1]}.closed();
+  contact.pulls = true;
+  contact.closed = status == Status::closed || status == Status::not_converged;
+  contact.converged = status != Status::not_converged;
+  const auto energy = RunningEnergy::read(memory, ellipse_memory);
+  if (!contact.closed) {
+    contact.elastic = contact.a_c = contact.stiffness = 0.0;
+    if (was_closed) contact.hysteresis_loss += energy.stored;
+    forget(memory, ellipse_memory + running_energy_memory);
+    return;
+  }
+  contact.axis_ratio = ellipse.axis_ratio;
+  // Thornton: friction holds against the load and twice the pull-off force, 3/2 π R W for a circle.    [TN98]
+  contact.friction_load =
+      std::max(contact.elastic + 3.0 * std::numbers::pi * std::sqrt(contact.R_i * contact.R_j) * work, 0.0);
+  const auto now = energy.next(contact, was_closed);
+  contact.stored_normal = now.stored;
+  memory[0] = ellipse.a_c, memory[1] = ellipse.axis_ratio;
+  now.write(memory, ellipse_memory);
+}
+
 Part bind_jkr(const Binding& binding) {
   const double modulus = effective_modulus(binding.material_1, binding.material_2);
   const double work = binding["work_of_adhesion"];
-  const auto step = [modulus, work](Contact& contact, Memory memory) {
-    using johnson_greenwood::Status;
-    contact.pulls = true;
-    johnson_greenwood::Memory ellipse{memory[0], memory[1]};
-    const bool was_closed = ellipse.closed();
-    double b_c = 0.0, stiffness = 0.0;
-    Status status{};
-    const auto one = [](const double& value) { return std::span<const double>(&value, 1); };
-    const auto out = [](double& value) { return std::span<double>(&value, 1); };
-    johnson_greenwood::contacts({one(contact.R_i), one(contact.R_j), one(modulus), one(work), one(contact.overlap)},
-                                {&ellipse, 1},
-                                {out(contact.elastic), out(contact.a_c), out(b_c), out(stiffness), {&status, 1}});
-    contact.closed = status == Status::closed || status == Status::not_converged;
-    contact.converged = status != Status::not_converged;
-    const auto energy = RunningEnergy::read(memory, ellipse_memory);
-    if (!contact.closed) {
-      if (was_closed) contact.hysteresis_loss += energy.stored;
-      forget(memory, ellipse_memory + running_energy_memory);
-      return;
+  const auto step = [modulus, work](std::span<Contact> contacts, std::span<const Memory> memories) {
+    Column R_i, R_j, moduli, works, overlap, force, a_c, b_c, stiffness;
+    std::array<johnson_greenwood::Memory, stretch> ellipses;
+    std::array<johnson_greenwood::Status, stretch> status;
+    const std::size_t count = contacts.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      R_i[i] = contacts[i].R_i, R_j[i] = contacts[i].R_j, overlap[i] = contacts[i].overlap;
+      moduli[i] = modulus, works[i] = work;
+      ellipses[i] = {memories[i][0], memories[i][1]};
     }
-    contact.ellipse = contact_ellipse(contact.R_i, contact.R_j);
-    contact.axis_ratio = ellipse.axis_ratio;
-    contact.stiffness = std::max(stiffness, 0.0);
-    // Thornton: friction holds against the load and twice the pull-off force, 3/2 π R W for a circle.    [TN98]
-    contact.friction_load =
-        std::max(contact.elastic + 3.0 * std::numbers::pi * std::sqrt(contact.R_i * contact.R_j) * work, 0.0);
-    const auto now = energy.next(contact, was_closed);
-    contact.stored_normal = now.stored;
-    memory[0] = ellipse.a_c, memory[1] = ellipse.axis_ratio;
-    now.write(memory, ellipse_memory);
+    const auto in = [count](const Column& column) { return std::span(column).first(count); };
+    const auto out = [count](Column& column) { return std::span(column).first(count); };
+    johnson_greenwood::contacts({in(R_i), in(R_j), in(moduli), in(works), in(overlap)},
+                                std::span(ellipses).first(count),
+                                {out(force), out(a_c), out(b_c), out(stiffness), std::span(status).first(count)});
+    for (std::size_t i = 0; i < count; ++i) {
+      contacts[i].elastic = force[i];
+      contacts[i].a_c = a_c[i];
+      contacts[i].stiffness = std::max(stiffness[i], 0.0);
+      close(contacts[i], ellipses[i], status[i], work, memories[i]);
+    }
   };
   const auto range = [modulus, work](double R_i, double R_j) {
     if (!(work > 0.0)) return 0.0;

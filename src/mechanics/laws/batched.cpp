@@ -39,8 +39,6 @@ std::optional<Dashpot> dashpot_of(const ChosenBySlot& chosen) {
   return std::nullopt;
 }
 
-/// Contacts at a time in the columns that stand between a law's input and the batch's.
-constexpr std::size_t stretch = 64;
 static_assert(stretch % law_lanes == 0);
 
 void evaluate_mindlin(const mindlin::Pair& pair, const LawInput& input, double* memory, const LawOutput& output) {
@@ -108,8 +106,9 @@ ContactLaw mindlin_law(const mindlin::Pair& pair) {
 }
 
 ContactLaw spring_law(const spring_contacts::Pair& pair) {
-  return {{.memory_size = spring_memory,
-           .needs = {.mean_angular_velocity = true, .reduced_mass = pair.damping_factor > 0.0}},
+  const bool rubs = pair.kind == spring_contacts::Friction::spring;
+  return {{.memory_size = rubs ? spring_memory : 0,
+           .needs = {.mean_angular_velocity = rubs, .reduced_mass = pair.damping_factor > 0.0}},
           [pair](const LawInput& input, double* memory, const LawOutput& output) {
             spring_contacts::evaluate(pair, input, memory, output);
           }};
@@ -133,11 +132,16 @@ std::optional<ContactLaw> batched(const ChosenBySlot& chosen, const ElasticMater
     pair.damping_factor = dashpot->factor;
     return mindlin_law(pair);
   }
-  spring_contacts::Pair pair{.modulus = effective_modulus(material_1, material_2),
+  spring_contacts::Pair pair{.kind = spring_contacts::Friction::spring,
+                             .modulus = effective_modulus(material_1, material_2),
                              .damping_time = dashpot->time,
                              .damping_factor = dashpot->factor};
   const double no_slip =
       tangential_springs::stiffness_ratio(pair.modulus, effective_shear_modulus(material_1, material_2));
+  if (friction.empty()) {
+    pair.kind = spring_contacts::Friction::none;
+    return spring_law(pair);
+  }
   if (friction == "cundall_strack") {
     pair.friction = number("friction");
     pair.tangential_stiffness = number("tangential_stiffness");

@@ -1,6 +1,7 @@
 #include "mechanics/laws/composed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace osculate::laws {
@@ -98,18 +99,29 @@ ContactLaw composed(const std::vector<BoundPart>& parts) {
   }
   const auto evaluation = [parts, needs = traits.needs, size = traits.memory_size](
                               const LawInput& input, double* memory, const LawOutput& output) {
-    for (std::size_t i = 0; i < input.R_i.size(); ++i) {
-      Contact contact = contact_at(input, i);
-      if (!is_sound(contact, input, i, needs)) {
-        write(nothing(), LawStatus::bad_input, output, i);
-        continue;
+    std::array<Contact, stretch> contacts;
+    std::array<std::size_t, stretch> place;
+    std::array<Memory, stretch> memories;
+    for (std::size_t start = 0; start < input.R_i.size(); start += stretch) {
+      const std::size_t end = std::min(start + stretch, input.R_i.size());
+      std::size_t count = 0;  // of sound ones
+      for (std::size_t i = start; i < end; ++i) {
+        contacts[count] = contact_at(input, i);
+        place[count] = i;
+        if (is_sound(contacts[count], input, i, needs))
+          ++count;
+        else
+          write(nothing(), LawStatus::bad_input, output, i);
       }
-      double* first = memory + i / law_lanes * law_lanes * size + i % law_lanes;
+      std::size_t entry = 0;
       for (const auto& [part, length] : parts) {
-        part.step(contact, Memory(first));
-        first += length * law_lanes;
+        for (std::size_t k = 0; k < count; ++k)
+          memories[k] = Memory(memory + (place[k] / law_lanes * size + entry) * law_lanes + place[k] % law_lanes);
+        part.step(std::span(contacts).first(count), std::span<const Memory>(memories).first(count));
+        entry += length;
       }
-      write(contact, status_of(contact, input, i), output, i);
+      for (std::size_t k = 0; k < count; ++k)
+        write(contacts[k], status_of(contacts[k], input, place[k]), output, place[k]);
     }
   };
   return {traits, evaluation};

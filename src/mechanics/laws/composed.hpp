@@ -1,5 +1,5 @@
 #pragma once
-// Parts run one after the other, contact by contact.
+// Parts run one after the other.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ struct BoundPart {
   std::size_t memory;
 };
 
-/// In the order of their slots.
+/// In the order of their slots; one part works on up to `stretch` contacts before the next.
 ContactLaw composed(const std::vector<BoundPart>& parts);
 
 }  // namespace osculate::laws

@@ -8,27 +8,20 @@
 
 namespace osculate::laws {
 
-/// The ellipse in which the undeformed surfaces would be pressed, whatever carries the load.
-inline void set_ellipse(Contact& contact, const ContactEllipse& ellipse, const hertz::Contact& hertz) {
-  contact.ellipse = ellipse;
-  contact.a_c = hertz.a_c;
-  contact.axis_ratio = ellipse.axis_ratio;
-}
-
-/// The same for laws that have no contact ellipse of their own: the one of Hertz at this overlap.
+/// For laws that have no contact ellipse of their own: the one of Hertz at this overlap.
 inline void set_ellipse(Contact& contact) {
-  const ContactEllipse ellipse = contact_ellipse(contact.R_i, contact.R_j);
   constexpr double any_modulus = 1.0;  // the ellipse does not depend on it
-  set_ellipse(contact, ellipse, hertz::contact(ellipse, any_modulus, contact.overlap, contact.R_j));
+  contact.a_c = hertz::contact(contact.ellipse(), any_modulus, contact.overlap, contact.R_j).a_c;
+  contact.axis_ratio = contact.ellipse().axis_ratio;
 }
 
 /// Hertz's contact carries the load.
 inline void press_hertz(Contact& contact, double modulus) {
   contact.closed = contact.overlap > 0.0;
   if (!contact.closed) return;
-  const ContactEllipse ellipse = contact_ellipse(contact.R_i, contact.R_j);
-  const auto hertz = hertz::contact(ellipse, modulus, contact.overlap, contact.R_j);
-  set_ellipse(contact, ellipse, hertz);
+  const auto hertz = hertz::contact(contact.ellipse(), modulus, contact.overlap, contact.R_j);
+  contact.a_c = hertz.a_c;
+  contact.axis_ratio = contact.ellipse().axis_ratio;
   contact.elastic = contact.friction_load = hertz.force;
   contact.stiffness = hertz.stiffness;
   contact.stored_normal = hertz.strain_energy;

@@ -2,9 +2,13 @@
 // What a law of the registry brings: its description, and how it binds to parameters and materials. A bound part works
 // on one contact at a time; parts run in the order of their slots and read what those before them found.
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "osculate/core/types.hpp"
@@ -30,9 +34,8 @@ struct Contact {
   // What carries the load: found by the normal law, or by the one that replaces it.
   bool closed = false;
   bool converged = true;
-  ContactEllipse ellipse{};  ///< of the elastic contact
-  double elastic = 0.0;      ///< F_n without dashpot [N]
-  double stiffness = 0.0;    ///< dF_n/dδ [N/m]
+  double elastic = 0.0;    ///< F_n without dashpot [N]
+  double stiffness = 0.0;  ///< dF_n/dδ [N/m]
   double a_c = 0.0, axis_ratio = 0.0;
   double stored_normal = 0.0;
   double hysteresis_loss = 0.0;
@@ -47,6 +50,13 @@ struct Contact {
   double stored_tangential = 0.0;
   double friction_loss = 0.0, viscous_loss = 0.0;
 
+  /// The ellipse in which the undeformed surfaces would be pressed, whatever carries the load; found when first asked.
+  const ContactEllipse& ellipse() {
+    if (!known_ellipse) known_ellipse = contact_ellipse(R_i, R_j);
+    return *known_ellipse;
+  }
+  std::optional<ContactEllipse> known_ellipse = std::nullopt;
+
   double normal_force() const { return elastic + dashpot; }
   TangentVector displacement() const { return time_step * velocity; }
 };
@@ -54,15 +64,35 @@ struct Contact {
 /// A part's memory of one contact: its doubles stand a block's width apart.
 class Memory {
  public:
+  Memory() = default;
   explicit Memory(double* first) : first_(first) {}
   double& operator[](std::size_t entry) const { return first_[entry * law_lanes]; }
 
  private:
-  double* first_;
+  double* first_ = nullptr;
 };
 
-/// A bound law. It is asked also when the contact is open, and then forgets.
-using Step = std::function<void(Contact&, Memory)>;
+/// Contacts that a law works on at a time, at most.
+inline constexpr std::size_t stretch = 4 * law_lanes;
+
+/// A bound law. It is asked also when a contact is open, and then forgets.
+class Step {
+ public:
+  /// For one contact after the other.
+  template <std::invocable<Contact&, Memory> One>
+  Step(const One& one)  // NOLINT: a law is written down as what it does
+      : many_([one](std::span<Contact> contacts, std::span<const Memory> memories) {
+          for (std::size_t i = 0; i < contacts.size(); ++i) one(contacts[i], memories[i]);
+        }) {}
+  /// For up to `stretch` contacts at once.
+  template <std::invocable<std::span<Contact>, std::span<const Memory>> Many>
+  Step(const Many& many) : many_(many) {}  // NOLINT
+
+  void operator()(std::span<Contact> contacts, std::span<const Memory> memories) const { many_(contacts, memories); }
+
+ private:
+  std::function<void(std::span<Contact>, std::span<const Memory>)> many_;
+};
 
 struct Part {
   Step step;

@@ -49,7 +49,7 @@ Part bind(const Binding& binding) {
                         Contact& contact, Memory memory) {
     mindlin::Memory springs = read(memory);
     if (!contact.closed && springs.springs.count == 0) return;
-    const ContactEllipse ellipse = contact.closed ? contact.ellipse : contact_ellipse(contact.R_i, contact.R_j);
+    const ContactEllipse& ellipse = contact.ellipse();
     const auto ratio = mindlin::compliance_ratio(ellipse, material_1, material_2);
     const double coefficient = hertz::force(ellipse, modulus, 1.0);
     const mindlin::Step motion{

@@ -7,6 +7,7 @@
 
 #include "mechanics/laws/elastic.hpp"
 #include "mechanics/laws/laws.hpp"
+#include "osculate/mechanics/hertz.hpp"
 #include "osculate/mechanics/jamari_schipper.hpp"
 
 namespace osculate::laws {
@@ -58,6 +59,23 @@ double flow_loss(const Loading& loading, double lowest, double highest, double f
          (at_end.strain_energy - at_start.strain_energy);
 }
 
+/// One column a quantity, for up to `stretch` contacts.
+using Column = std::array<double, stretch>;
+
+/// The energy that went into flow while the largest overlap grew from `before` to `now`.
+double flow_loss(const Contact& contact, double modulus, const jamari_schipper::Plasticity& plasticity, double before,
+                 double now) {
+  if (!(now > before)) return 0.0;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto limits = jamari_schipper::limits(contact.R_i, contact.R_j, modulus, plasticity);
+  const auto loading = [&](double overlap) {
+    jamari_schipper::Memory virgin;
+    return jamari_schipper::contact(contact.R_i, contact.R_j, modulus, plasticity, overlap, virgin);
+  };
+  return flow_loss(loading, limits.first_yield, limits.full_plasticity, before, now) +
+         flow_loss(loading, limits.full_plasticity, infinity, before, now);
+}
+
 Part bind(const Binding& binding) {
   const double modulus = effective_modulus(binding.material_1, binding.material_2);
   const jamari_schipper::Plasticity plasticity{.hardness = binding["hardness"],
@@ -65,35 +83,42 @@ Part bind(const Binding& binding) {
                                                .plastic_factor = binding["plastic_factor"],
                                                .area_ratio = binding["area_ratio"]};
   jamari_schipper::validate(plasticity, binding["largest_radius_ratio"]);
-  return {.step = [modulus, plasticity](Contact& contact, Memory memory) {
-    contact.closed = contact.overlap > 0.0;
-    if (!contact.closed) {
-      memory[0] = 0.0;
-      return;
+  return {.step = [modulus, plasticity](std::span<Contact> contacts, std::span<const Memory> memories) {
+    Column R_i, R_j, moduli, yield, plastic, ratio, overlap, largest, force, area, stiffness, energy, residual;
+    Column any_overlap, any, a, b;
+    std::array<jamari_schipper::Regime, stretch> regime;
+    std::array<hertz::Validity, stretch> validity;
+    const std::size_t count = contacts.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      R_i[i] = contacts[i].R_i, R_j[i] = contacts[i].R_j, overlap[i] = contacts[i].overlap;
+      moduli[i] = modulus, yield[i] = plasticity.yield_pressure(), plastic[i] = plasticity.plastic_pressure();
+      ratio[i] = plasticity.area_ratio;
+      largest[i] = memories[i][0];
+      any_overlap[i] = R_j[i];
     }
-    const auto pressed = [&](double overlap, jamari_schipper::Memory& largest) {
-      return jamari_schipper::contact(contact.R_i, contact.R_j, modulus, plasticity, overlap, largest);
-    };
-    jamari_schipper::Memory largest{memory[0]};
-    const auto state = pressed(contact.overlap, largest);
-    contact.ellipse = contact_ellipse(contact.R_i, contact.R_j);
-    contact.axis_ratio = contact.ellipse.axis_ratio;
-    contact.a_c = std::sqrt(state.area / (std::numbers::pi * contact.axis_ratio));
-    contact.elastic = contact.friction_load = state.force;
-    contact.stiffness = state.stiffness;
-    contact.stored_normal = state.strain_energy;
-    if (largest.largest_overlap > memory[0]) {
-      const auto limits = jamari_schipper::limits(contact.R_i, contact.R_j, modulus, plasticity);
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      const auto loading = [&](double overlap) {
-        jamari_schipper::Memory virgin;
-        return pressed(overlap, virgin);
-      };
-      contact.hysteresis_loss +=
-          flow_loss(loading, limits.first_yield, limits.full_plasticity, memory[0], largest.largest_overlap) +
-          flow_loss(loading, limits.full_plasticity, infinity, memory[0], largest.largest_overlap);
+    const auto in = [count](const Column& column) { return std::span(column).first(count); };
+    const auto out = [count](Column& column) { return std::span(column).first(count); };
+    jamari_schipper::contacts({in(R_i), in(R_j), in(moduli), in(yield), in(plastic), in(ratio), in(overlap)},
+                              {out(largest), out(force), out(area), out(stiffness), out(energy), out(residual),
+                               std::span(regime).first(count)});
+    // The ellipse keeps its shape, whatever the load.
+    hertz::contacts({in(R_i), in(R_j), in(R_j), in(moduli), in(any_overlap)},
+                    {out(any), out(a), out(b), out(any), out(any), out(any), std::span(validity).first(count)});
+    for (std::size_t i = 0; i < count; ++i) {
+      Contact& contact = contacts[i];
+      contact.closed = contact.overlap > 0.0;
+      if (!contact.closed) {
+        memories[i][0] = 0.0;
+        continue;
+      }
+      contact.axis_ratio = b[i] / a[i];
+      contact.a_c = std::sqrt(area[i] / (std::numbers::pi * contact.axis_ratio));
+      contact.elastic = contact.friction_load = force[i];
+      contact.stiffness = stiffness[i];
+      contact.stored_normal = energy[i];
+      contact.hysteresis_loss += flow_loss(contact, modulus, plasticity, memories[i][0], largest[i]);
+      memories[i][0] = largest[i];
     }
-    memory[0] = largest.largest_overlap;
   }};
 }
 

@@ -40,7 +40,7 @@ Part bind(const Binding& binding) {
       .density = binding["density"], .radius = binding["asperity_radius"], .deviation = binding["deviation"]};
   greenwood_williamson::validate(roughness);
   const auto step = [modulus, roughness](Contact& contact, Memory memory) {
-    const ContactEllipse ellipse = contact_ellipse(contact.R_i, contact.R_j);
+    const ContactEllipse& ellipse = contact.ellipse();
     const auto rough = greenwood_williamson::contact(ellipse, modulus, roughness, contact.overlap);
     const auto energy = RunningEnergy::read(memory, 0);
     const bool was_closed = energy.force > 0.0;
@@ -50,7 +50,6 @@ Part bind(const Binding& binding) {
       forget(memory, running_energy_memory);
       return;
     }
-    contact.ellipse = ellipse;
     contact.a_c = rough.a_c;
     contact.axis_ratio = ellipse.axis_ratio;
     contact.elastic = contact.friction_load = rough.force;

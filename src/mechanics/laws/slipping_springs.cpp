@@ -63,7 +63,7 @@ Part slipping_part(const Binding& binding, const LawNeeds& needs, const Theory& 
       return;
     }
     Model here = model;
-    here.radius = effective_radius(contact.ellipse);
+    here.radius = effective_radius(contact.ellipse());
     const TangentVector before = spring_force(here, memory[6], memory[7], stretch);
     const double load = friction_load(contact);
     hertzian_tangential::Memory now{-1.0 * stretch};

@@ -75,7 +75,7 @@ Part bind_cundall_strack(const Binding& binding) {
                                         .damping = binding["tangential_damping"],
                                         .friction = binding["friction"]};
   tangential_springs::validate(model);
-  return spring_part([model](const Contact& contact, const TangentVector& stretch) -> Answer {
+  return spring_part([model](Contact& contact, const TangentVector& stretch) -> Answer {
     tangential_springs::Memory memory{stretch};
     const TangentVector force = tangential_springs::force(model, friction_load(contact), -1.0 * contact.displacement(),
                                                           -1.0 * contact.velocity, memory);
@@ -93,9 +93,9 @@ hertzian_tangential::Model model_of(const Binding& binding) {
 
 template <class Theory>
 Part hertzian_part(const hertzian_tangential::Model& model, double share, const Theory& theory) {
-  return spring_part([model, share, theory](const Contact& contact, const TangentVector& stretch) -> Answer {
+  return spring_part([model, share, theory](Contact& contact, const TangentVector& stretch) -> Answer {
     hertzian_tangential::Model here = model;
-    here.radius = effective_radius(contact.ellipse);
+    here.radius = effective_radius(contact.ellipse());
     const hertzian_tangential::Step step{.overlap = contact.overlap,
                                          .normal_force = friction_load(contact),
                                          .displacement = -1.0 * contact.displacement(),

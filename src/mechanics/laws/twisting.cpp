@@ -34,7 +34,7 @@ Part bind(const Binding& binding) {
       return;
     }
     const auto state =
-        twisting::contact(contact.ellipse, contact.a_c, material_1, material_2, friction, friction_load(contact));
+        twisting::contact(contact.ellipse(), contact.a_c, material_1, material_2, friction, friction_load(contact));
     const double angle = contact.angular_velocity.dot(contact.normal) * contact.time_step;
     const double moment = twisting::advance(twist, state, angle);
     const double stored_now = stored(moment, twist.stiffness);

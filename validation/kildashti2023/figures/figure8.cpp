@@ -44,7 +44,7 @@ Collision collide(double speed, const Force& force) {
       return collision;
     }
     collision.curve.x.push_back(1e9 * overlap);
-    collision.curve.y.push_back(1e3 * *now);
+    collision.curve.y.push_back(1e6 * *now);
     const double half_rate = rate - 0.5 * step * *now / pair.mass;
     overlap += step * half_rate;
     const std::optional<double> next = force(overlap, half_rate);
@@ -143,11 +143,11 @@ Figure figure8() {
       "integration (0: the spheres stick), plastic by the energy that unloading gives back. Inferred: all but the "
       "equations; bodies and materials were chosen here.",
       dissipative_time * 1e9, work_of_adhesion);
-  io::Panel loops{.title = "Collisions at 0.3 m/s",
+  io::Panel loops{.title = "Collisions at 2 cm/s",
                   .x = {.label = "overlap δ [nm]"},
-                  .y = {.label = "force F [mN]"},
-                  .curves = {thinned(collide(0.3, viscous_force).curve, "viscous (37)"),
-                             thinned(collide(0.3, adhesive_force).curve, "viscous, with adhesion (39)")}};
+                  .y = {.label = "force F [µN]"},
+                  .curves = {thinned(collide(0.02, viscous_force).curve, "viscous (37)"),
+                             thinned(collide(0.02, adhesive_force).curve, "viscous, with adhesion (39)")}};
   io::Panel restitution{
       .title = "Restitution",
       .x = {.label = "speed of impact v [m/s]", .scale = io::Scale::logarithmic},
