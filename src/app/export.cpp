@@ -20,7 +20,7 @@ struct ExportOptions {
   std::string results;
   std::string paraview;
   std::string ovito;
-  int resolution = 8;
+  int resolution = 6;
 };
 
 constexpr const char* help = R"(Examples:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace osculate::io {
@@ -58,13 +59,14 @@ std::vector<float> smoothed(const DepthMap& map, const std::vector<float>& sky, 
 std::vector<float> seen_sky(const DepthMap& map, double radius) {
   static const auto sets = all_looks();
   const auto at = [&](int x, int y) {
-    return map.depth[static_cast<std::size_t>(std::clamp(y, 0, map.height - 1) * map.width +
-                                              std::clamp(x, 0, map.width - 1))];
+    if (x < 0 || y < 0 || x >= map.width || y >= map.height) return -std::numeric_limits<float>::infinity();
+    return map.depth[static_cast<std::size_t>(y * map.width + x)];
   };
   // The less steep of both one-sided slopes: the other may lead over an edge.
   const auto slope = [](float before, float here, float after) {
     const float back = here - before, on = after - here;
-    return std::fabs(back) < std::fabs(on) ? back : on;
+    const float less = std::fabs(back) < std::fabs(on) ? back : on;
+    return std::isfinite(less) ? less : 0.0F;
   };
   const auto reach = static_cast<float>(radius);
   std::vector<float> sky(map.depth.size(), 1.0F);
@@ -76,8 +78,9 @@ std::vector<float> seen_sky(const DepthMap& map, double radius) {
       const float length = std::sqrt(1.0F + right * right + down * down);
       float hidden = 0.0F;
       for (const Look& look : sets[static_cast<std::size_t>(tile * (y % tile) + x % tile)]) {
-        const float dx = reach * look.right, dy = reach * look.down;
-        const float dz = at(x + static_cast<int>(std::lround(dx)), y + static_cast<int>(std::lround(dy))) - z;
+        // Whole pixels, so that a plane is one.
+        const float dx = std::round(reach * look.right), dy = std::round(reach * look.down);
+        const float dz = at(x + static_cast<int>(dx), y + static_cast<int>(dy)) - z;
         if (!std::isfinite(dz)) continue;
         const float distance_2 = dx * dx + dy * dy + dz * dz;
         if (!(distance_2 > 0.0F)) continue;
