@@ -23,7 +23,7 @@ bool overlap(const Interval& a, const Interval& b);
 enum class Verdict {
   reproduced,     ///< the computed interval meets the printed one
   differs,        ///< it does not
-  contradiction,  ///< it does not and cannot: a note below the table proves that the printed number is at fault
+  contradiction,  ///< it does not and cannot: a note below the table proves which other known numbers it contradicts
   not_available,  ///< the printed or the computed number is missing: the remark says which, and why
 };
 

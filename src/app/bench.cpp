@@ -7,6 +7,7 @@
 #include "app/laws_bench.hpp"
 #include "app/narrow_bench.hpp"
 #include "app/progress.hpp"
+#include "app/scenes_bench.hpp"
 #include "io/table.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/geometry/superquadric_contacts.hpp"
@@ -32,9 +33,22 @@ scalar: the same law contact by contact in doubles.
 Example:
   osculate bench laws --json > laws.json)";
 
+constexpr const char* scenes_help =
+    R"(Nanoseconds per particle and time step of particles that fell into a box and lie at rest, with Hertz, damping and
+history friction; the median of the repetitions ± half the distance between their quartiles.
+  one core     processor time of the whole step
+  GJK/EPA      what libccd would take to find the same contacts between particles, without curvature, forces and motion
+  stages       motion of the bodies, lists of pairs, narrow phase, contact law, sum of forces
+  missed       overlaps above 1e-6 of the radius that an exhaustive search finds and the scene does not have
+Settling takes a minute or two.
+Example:
+  osculate bench scenes --scene boxes)";
+
 struct BenchOptions {
   bool json = false;
   LawBenchSettings laws;
+  std::vector<std::string> scene_names;
+  SceneBenchSettings scenes;
   std::vector<std::string> classes;
   NarrowSettings narrow;
 };
@@ -163,6 +177,93 @@ void bench_laws(const BenchOptions& options) {
   fmt::print("{}\n", report.dump(2));
 }
 
+std::vector<BenchScene> chosen_scenes(const std::vector<std::string>& names) {
+  const std::vector<BenchScene> all = bench_scenes();
+  if (names.empty()) return all;
+  std::vector<BenchScene> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const BenchScene& one) { return one.name == name; });
+    if (found == all.end()) {
+      std::string expected = "one of";
+      for (const BenchScene& one : all) expected += " " + one.name;
+      throw InputError("--scene", "\"" + name + "\"", expected);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+void print_scenes(const std::vector<SceneTimes>& all, const SceneBenchSettings& settings) {
+  fmt::print(
+      "Settled scenes: nanoseconds per particle and time step\nhertz, tsuji, {}; {} repetitions of {} steps, batches "
+      "on {}\n\n",
+      settings.tangential, settings.repetitions, settings.steps, batch_instruction_set());
+  const auto percent = [](double share) { return fmt::format("{:.0f} %", 100.0 * share); };
+  io::Table times{{"scene", "particles", "one core", "GJK/EPA", "GJK/EPA : one core", "two threads : one"}, {}, 1};
+  io::Table stages{{"scene", "motion", "lists", "narrow", "law", "sums", "steps a list"}, {}, 1};
+  io::Table numbers{
+      {"scene", "coordination", "contacts", "in the list", "spheres", "bytes", "a contact", "missed"}, {}, 1};
+  for (const SceneTimes& one : all) {
+    times.rows.push_back({one.name, fmt::format("{}", one.particles), text_of(one.step), text_of(one.ccd),
+                          ratio_text(one.ccd, one.step), ratio_text(one.one_thread_wall, one.two_threads)});
+    stages.rows.push_back({one.name, percent(one.shares.move), percent(one.shares.broad), percent(one.shares.narrow),
+                           percent(one.shares.law), percent(one.shares.gather),
+                           fmt::format("{:.0f}", one.steps_between_lists)});
+    numbers.rows.push_back({one.name, fmt::format("{:.2f}", one.coordination), fmt::format("{:.2f}", one.contacts),
+                            fmt::format("{:.2f}", one.candidates), fmt::format("{:.1f}", one.sphere_neighbours),
+                            fmt::format("{:.0f}", one.bytes), fmt::format("{:.0f}", one.bytes_of_contact),
+                            fmt::format("{}", one.missed)});
+  }
+  fmt::print("{}\nShares of the time on one core\n{}\nPer particle\n{}", io::to_text(times), io::to_text(stages),
+             io::to_text(numbers));
+}
+
+nlohmann::ordered_json json_of(const SceneTimes& one) {
+  return {{"scene", one.name},
+          {"shape", one.shape},
+          {"particles", one.particles},
+          {"step", json_of(one.step)},
+          {"ccd", json_of(one.ccd)},
+          {"ccd_over_step", one.ccd.median / one.step.median},
+          {"one_thread_wall", json_of(one.one_thread_wall)},
+          {"two_threads_wall", json_of(one.two_threads)},
+          {"two_threads_speed_up", one.one_thread_wall.median / one.two_threads.median},
+          {"shares",
+           {{"motion", one.shares.move},
+            {"lists", one.shares.broad},
+            {"narrow", one.shares.narrow},
+            {"law", one.shares.law},
+            {"sums", one.shares.gather}}},
+          {"steps_between_lists", one.steps_between_lists},
+          {"coordination", one.coordination},
+          {"contacts_per_particle", one.contacts},
+          {"listed_pairs_per_particle", one.candidates},
+          {"sphere_neighbours", one.sphere_neighbours},
+          {"bytes_per_particle", one.bytes},
+          {"bytes_per_contact", one.bytes_of_contact},
+          {"missed", one.missed}};
+}
+
+void bench_scenes_command(const BenchOptions& options) {
+  std::vector<SceneTimes> all;
+  {
+    Progress progress("bench scenes");
+    const std::vector<BenchScene> scenes = chosen_scenes(options.scene_names);
+    for (const BenchScene& scene : scenes)
+      all.push_back(time_scene(scene, options.scenes, [&](double share) {
+        progress.update((static_cast<double>(all.size()) + share) / static_cast<double>(scenes.size()));
+      }));
+  }
+  if (!options.json) return print_scenes(all, options.scenes);
+  nlohmann::ordered_json report{{"instruction_set", batch_instruction_set()},
+                                {"tangential", options.scenes.tangential},
+                                {"repetitions", options.scenes.repetitions},
+                                {"steps", options.scenes.steps},
+                                {"scenes", nlohmann::ordered_json::array()}};
+  for (const SceneTimes& one : all) report["scenes"].push_back(json_of(one));
+  fmt::print("{}\n", report.dump(2));
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program) {
@@ -196,6 +297,20 @@ void add_bench(CLI::App& program) {
       ->check(CLI::Range(3, 100000))
       ->capture_default_str();
   laws->callback([options] { bench_laws(*options); });
+
+  CLI::App* scenes = bench->add_subcommand("scenes", "Time of a step of settled particles");
+  scenes->footer(scenes_help);
+  scenes->add_flag("--json", options->json, "Print the numbers as JSON");
+  scenes->add_option("--scene", options->scene_names, "Only these scenes (blocky, boxes, ellipsoids)");
+  scenes->add_option("--particles", options->scenes.particles, "Particles, in place of each scene's own number")
+      ->check(CLI::Range(1, 10000000));
+  scenes->add_option("--tangential", options->scenes.tangential, "Law of friction")
+      ->check(CLI::IsMember({"di_renzo", "mindlin"}))
+      ->capture_default_str();
+  scenes->add_option("--repetitions", options->scenes.repetitions, "Timed repetitions")
+      ->check(CLI::Range(3, 100000))
+      ->capture_default_str();
+  scenes->callback([options] { bench_scenes_command(*options); });
 }
 
 }  // namespace osculate::app

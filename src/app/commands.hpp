@@ -15,6 +15,15 @@ void add_shape(CLI::App& program);
 /// `law`: the laws of contact, listed, explained, evaluated.
 void add_law(CLI::App& program);
 
+/// `run`: a scene, from a file to results.
+void add_run(CLI::App& program);
+
+/// `check`: a scene without running it.
+void add_check(CLI::App& program);
+
+/// `info`: what is in a results file.
+void add_info(CLI::App& program);
+
 /// `bench`: what a contact costs on this machine.
 void add_bench(CLI::App& program);
 

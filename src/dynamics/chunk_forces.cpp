@@ -33,6 +33,24 @@ void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap)
   chunk.fault_overlap = overlap;
 }
 
+/// Energy that a contact's normal spring gained since the last step because its coefficient changed: the bodies touch
+/// where they are curved otherwise. No force took it from the motion.
+double curvature_gain(NormalSpring& spring, double overlap, double stored, double stiffness) {
+  constexpr double hertz = 1.5, same = 1e-9;
+  const NormalSpring before = spring;
+  if (!(overlap > 0.0) || !(stored > 0.0) || !(stiffness > 0.0)) {
+    spring = {0.0, 0.0};
+    return 0.0;
+  }
+  const double p = elastic_power(overlap, stored, stiffness);
+  const auto energy_shape = [p](double depth) {
+    return std::fabs(p - hertz) < same ? depth * depth * std::sqrt(depth) : std::pow(depth, p + 1.0);
+  };
+  spring = {overlap, stored / energy_shape(overlap)};
+  if (before.overlap == 0.0) return 0.0;
+  return (spring.coefficient - before.coefficient) * energy_shape(0.5 * (before.overlap + overlap));
+}
+
 /// One chunk's work in one step.
 class ChunkStep {
  public:
@@ -54,9 +72,9 @@ class ChunkStep {
     scratch_.pairs.clear();
     scratch_.caches.resize(scratch_.awake.size());
     for (Index row = 0; row < scratch_.awake.size(); ++row) {
-      const FarPair& far = chunk_.far[index_of(scratch_.awake[row])];
-      scratch_.pairs.push_back(far.bodies);
-      scratch_.caches.set(row, far.cache);
+      const Index k = index_of(scratch_.awake[row]);
+      scratch_.pairs.push_back(chunk_.far[k].bodies);
+      scratch_.caches.set(row, chunk_.far_caches[k]);
     }
     solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip);
     // From behind, since a pair that leaves is replaced by the last one.
@@ -107,10 +125,12 @@ class ChunkStep {
 
 void ChunkStep::find_awake() {
   scratch_.awake.clear();
+  scratch_.travel.clear();
+  for (const std::int32_t body : chunk_.bodies) scratch_.travel.push_back(kinematics_.travel[index_of(body)]);
   for (Index k = 0; k < chunk_.far.size(); ++k) {
     const FarPair& far = chunk_.far[k];
-    if (travel(far.bodies.first) + travel(far.bodies.second) >= far.quiet_until)
-      scratch_.awake.push_back(static_cast<std::int32_t>(k));
+    const double travel = scratch_.travel[index_of(far.bodies.first)] + scratch_.travel[index_of(far.bodies.second)];
+    if (travel >= far.quiet_until) scratch_.awake.push_back(static_cast<std::int32_t>(k));
   }
 }
 
@@ -166,13 +186,16 @@ void ChunkStep::sort_out(Index row) {
   if (!is_resolved(status) && !(status == ContactStatus::not_converged && overlap < -reach_))
     report(chunk_, status == ContactStatus::degenerate ? Fault::degenerate : Fault::not_converged, global(far.bodies),
            overlap);
-  far.cache = scratch_.caches.get(row);
+  const ContactCache cache = scratch_.caches.get(row);
   if (overlap > -reach_) {
-    append_contact(chunk_.contacts, far.bodies, far.cache, constants_of(far.bodies), law_);
+    append_contact(chunk_.contacts, far.bodies, cache, constants_of(far.bodies), law_);
     far = chunk_.far.back();
     chunk_.far.pop_back();
+    chunk_.far_caches[k] = chunk_.far_caches.back();
+    chunk_.far_caches.pop_back();
     return;
   }
+  chunk_.far_caches[k] = cache;
   const double size = std::min(shape(far.bodies.first).bounding_radius, shape(far.bodies.second).bounding_radius);
   far.quiet_until = travel(far.bodies.first) + travel(far.bodies.second) - overlap - reach_ - safety * size;
 }
@@ -307,6 +330,10 @@ void ChunkStep::collect_forces() {
   const ContactColumns& found = scratch_.geometry;
   const Columns<13>& out = scratch_.answer;
   const double dt = kinematics_.time_step;
+  const bool couples = law_.makes_couples();
+  const double shallow = deepest * world_.least_half_width;
+  double viscous = 0.0, friction = 0.0, hysteresis = 0.0, stored_normal = 0.0, stored_tangential = 0.0, most = 0.0,
+         gain = 0.0;
   scratch_.opened.clear();
   for (Index i = 0; i < size; ++i) {
     const BodyPair& pair = contacts.bodies[i];
@@ -318,20 +345,21 @@ void ChunkStep::collect_forces() {
              global(pair), overlap);
     if (status == LawStatus::bad_input || status == LawStatus::not_converged)
       report(chunk_, Fault::law_refused, global(pair), overlap);
-    if (overlap > 0.0 && overlap > deepest * std::min(shape(pair.first).half_width, shape(pair.second).half_width))
+    if (overlap > shallow && overlap > deepest * std::min(shape(pair.first).half_width, shape(pair.second).half_width))
       report(chunk_, Fault::too_deep, global(pair), overlap);
-    chunk_.viscous_loss += out[answer::viscous_loss][i];
-    chunk_.friction_loss += out[answer::friction_loss][i];
-    chunk_.hysteresis_loss += out[answer::hysteresis_loss][i];
+    viscous += out[answer::viscous_loss][i];
+    friction += out[answer::friction_loss][i];
+    hysteresis += out[answer::hysteresis_loss][i];
     if (status == LawStatus::open && overlap <= -reach_) {
       scratch_.opened.push_back(static_cast<std::int32_t>(i));
       continue;
     }
     const double stored = out[answer::stored_normal][i], stiffness = out[answer::stiffness][i];
-    chunk_.stored_normal += stored;
-    chunk_.stored_tangential += out[answer::stored_tangential][i];
+    stored_normal += stored;
+    gain += curvature_gain(contacts.spring[i], overlap, stored, stiffness);
+    stored_tangential += out[answer::stored_tangential][i];
     const double stiffest = stiffness / contacts.reduced_mass[i];
-    chunk_.stiffest = std::max(chunk_.stiffest, stiffest);
+    most = std::max(most, stiffest);
     if (stiffest * dt * dt > stiffest_step) report(chunk_, Fault::step_too_long, global(pair), overlap);
     const Vec3 n = column_vector(found, geometry::normal, i);
     const Vec3 v(scratch_.motion[0][i], scratch_.motion[1][i], scratch_.motion[2][i]);
@@ -343,20 +371,26 @@ void ChunkStep::collect_forces() {
     on_2.force -= force;
     on_1.torque += scratch_.arm_1[i].cross(force);
     on_2.torque -= scratch_.arm_2[i].cross(force);
-    if (!law_.makes_couples()) continue;
+    if (!couples) continue;
     const Vec3 couple(out[answer::couple][i], out[answer::couple + 1][i], out[answer::couple + 2][i]);
     contacts.couple[i] = couple;
     on_1.torque += couple;
     on_2.torque -= couple;
   }
+  chunk_.viscous_loss += viscous;
+  chunk_.friction_loss += friction;
+  chunk_.hysteresis_loss += hysteresis;
+  chunk_.curvature_gain += gain;
+  chunk_.stored_normal = stored_normal;
+  chunk_.stored_tangential = stored_tangential;
+  chunk_.stiffest = most;
   for (Index k = scratch_.opened.size(); k-- > 0;) {
     const Index i = index_of(scratch_.opened[k]);
     const BodyPair pair = contacts.bodies[i];
     const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
-    chunk_.far.push_back({pair,
-                          travel(pair.first) + travel(pair.second) - found.columns[geometry::overlap][i] - reach_ -
-                              safety * size_of_pair,
-                          contacts.caches.get(i)});
+    const double gap = -found.columns[geometry::overlap][i] - reach_ - safety * size_of_pair;
+    chunk_.far.push_back({pair, travel(pair.first) + travel(pair.second) + gap});
+    chunk_.far_caches.push_back(contacts.caches.get(i));
     remove_contact(contacts, i, law_);
   }
 }

@@ -14,6 +14,7 @@ namespace osculate {
 struct ChunkScratch {
   std::vector<std::int32_t> awake;  ///< far pairs for the narrow phase: one a row
   std::vector<std::int32_t> opened;
+  std::vector<double> travel;  ///< of the chunk's bodies [m]
   std::vector<BodyPair> pairs;
   SuperquadricPairs superquadrics;
   ShapePairs shapes;

@@ -18,10 +18,14 @@ double hurwitz_zeta_of_negative(double p, double theta) {
   return sum - power * fifth / (30240.0 * std::pow(x, 5));
 }
 
+double elastic_power(double overlap, double stored, double stiffness) {
+  return 0.5 * (std::sqrt(1.0 + 4.0 * stiffness * overlap * overlap / stored) - 1.0);
+}
+
 double edge_force(double overlap, double way, double stored, double stiffness) {
   constexpr double largest_power = 4.0;
   if (!(overlap > 0.0) || overlap >= way || !(stored > 0.0) || !(stiffness > 0.0)) return 0.0;
-  const double p = 0.5 * (std::sqrt(1.0 + 4.0 * stiffness * overlap * overlap / stored) - 1.0);
+  const double p = elastic_power(overlap, stored, stiffness);
   if (!(p > 0.0) || p > largest_power) return 0.0;
   const double theta = overlap / way, force = stored * (p + 1.0) / overlap;
   return -force * std::pow(theta, -p) * hurwitz_zeta_of_negative(p, theta);

@@ -19,4 +19,8 @@ double hurwitz_zeta_of_negative(double p, double theta);
 /// @return the force to be added along the same direction [N]; 0 where no power p in (0, 4] fits
 double edge_force(double overlap, double way, double stored, double stiffness);
 
+/// The power p of an elastic force F ∝ δ^p from its energy and stiffness, p(p + 1) = stiffness δ²/stored. 3/2 for
+/// Hertz.
+double elastic_power(double overlap, double stored, double stiffness);
+
 }  // namespace osculate

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "osculate/dynamics/rigid_rotation.hpp"
+#include "dynamics/move_bodies.hpp"
 
 namespace osculate {
 namespace {
@@ -66,7 +66,8 @@ void Simulation::Engine::make_room() {
     const auto numbers = superquadric_numbers(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].shape);
     std::copy(numbers.begin(), numbers.end(), record.placed.begin());
     record.place(bodies_.position[i], bodies_.orientation[i]);
-    if (!bodies_.is_free(i)) driven_.push_back({i, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+    radius_.push_back(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius);
+    if (!bodies_.is_free(i)) driven_.push_back({.body = i});
   }
 }
 
@@ -100,49 +101,24 @@ bool Simulation::Engine::list_is_stale() const {
 }
 
 void Simulation::Engine::move() {
+  for (Driven& driven : driven_) driven.position = bodies_.position[driven.body];
+  const MoveStep step{.time_step = world_.setup.time_step, .gravity = world_.setup.gravity};
   threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (bodies_.is_free(i)) move_free(i);
+    move_bodies(step, begin, end, bodies_, kinematics_, radius_, step_travel_);
   });
   for (Driven& driven : driven_) move_driven(driven);
   const double most = 0.5 * world_.least_half_width;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (step_travel_[i] <= most) continue;  // false for NaN too
-    const double step = step_travel_[i];
-    const std::string body = "body " + std::to_string(i);
+    const double way = step_travel_[i];
+    kinematics_.travel[i] += way;
+    if (way <= most) continue;  // false for NaN too
     ++steps_;
-    throw StepError(when() + body +
-                    (std::isfinite(step)
-                         ? " moved " + number(step) + " m in one step, more than half of the least half width " +
+    throw StepError(when() + "body " + std::to_string(i) +
+                    (std::isfinite(way)
+                         ? " moved " + number(way) + " m in one step, more than half of the least half width " +
                                number(world_.least_half_width) + " m of all particles"
                          : " has a position or velocity that is not finite"));
   }
-}
-
-void Simulation::Engine::move_free(std::size_t i) {
-  const double dt = world_.setup.time_step, half = 0.5 * dt;
-  const Vec3 kick = half * (bodies_.force[i] / bodies_.mass[i] + world_.setup.gravity);
-  const Vec3 torque_kick = half * (bodies_.orientation[i].conjugate() * bodies_.torque[i]);
-  const Vec3 velocity = bodies_.velocity[i] + kick;
-  const Vec3 way = dt * velocity;
-  bodies_.velocity[i] = velocity;
-  bodies_.position[i] += way;
-  const Turn turn =
-      rotate_free({.orientation = bodies_.orientation[i], .momentum = bodies_.angular_momentum[i] + torque_kick},
-                  bodies_.inertia[i], dt);
-  bodies_.orientation[i] = turn.spin.orientation;
-  bodies_.angular_momentum[i] = turn.spin.momentum;
-  BodyRecord& record = kinematics_.records[i];
-  record.place(bodies_.position[i], turn.spin.orientation);
-  record.velocity = velocity;
-  record.mean_angular_velocity = turn.mean_velocity;
-  record.last_velocity = velocity + kick;
-  record.last_angular_velocity =
-      turn.spin.orientation * (turn.spin.momentum + torque_kick).cwiseQuotient(bodies_.inertia[i]);
-  const double radius = world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius;
-  const double step = way.norm() + dt * radius * turn.mean_velocity.norm();
-  step_travel_[i] = step;
-  kinematics_.travel[i] += step;
 }
 
 void Simulation::Engine::move_driven(Driven& driven) {
@@ -151,20 +127,20 @@ void Simulation::Engine::move_driven(Driven& driven) {
   const BodyStart& start = world_.setup.bodies[i];
   const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose,
                                 static_cast<double>(steps_ + 1) * dt);
-  driven.displacement = moving.pose.position - bodies_.position[i];
+  driven.displacement = moving.pose.position - driven.position;
   driven.turn = dt * moving.angular_velocity;
   driven.force = bodies_.force[i];
   driven.torque = bodies_.torque[i];
   bodies_.position[i] = moving.pose.position;
   bodies_.orientation[i] = moving.pose.orientation;
   bodies_.velocity[i] = driven.displacement / dt;
+  bodies_.angular_momentum[i].setZero();
   BodyRecord& record = kinematics_.records[i];
   record.place(moving.pose.position, moving.pose.orientation);
   record.velocity = bodies_.velocity[i];
   record.last_velocity = moving.velocity;
   record.mean_angular_velocity = record.last_angular_velocity = moving.angular_velocity;
   step_travel_[i] = wall_travel(i, driven.displacement, driven.turn);
-  kinematics_.travel[i] += step_travel_[i];
 }
 
 /// How far the surface of a driven body moved where particles are, at most. A wall that slides or turns in itself does
@@ -272,12 +248,14 @@ EnergyLedger Simulation::Engine::energy() const {
   energy.viscous_loss = pairs_.viscous_loss;
   energy.friction_loss = pairs_.friction_loss;
   energy.hysteresis_loss = pairs_.hysteresis_loss;
+  energy.curvature_gain = pairs_.curvature_gain;
   for (const PairChunk& chunk : pairs_.chunks) {
     energy.stored_normal += chunk.stored_normal;
     energy.stored_tangential += chunk.stored_tangential;
     energy.viscous_loss += chunk.viscous_loss;
     energy.friction_loss += chunk.friction_loss;
     energy.hysteresis_loss += chunk.hysteresis_loss;
+    energy.curvature_gain += chunk.curvature_gain;
   }
   energy.driven_work = driven_work_;
   return energy;

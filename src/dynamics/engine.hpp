@@ -25,18 +25,18 @@ class Simulation::Engine {
   StepCounts counts() const;
   StageTimes times() const;
   std::size_t memory_bytes() const;
+  std::size_t contact_bytes() const;
   State state() const;
 
  private:
   struct Driven {
     std::size_t body;
-    Vec3 displacement, turn;  ///< of the last step: [m], [rad]
-    Vec3 force, torque;       ///< at its beginning
+    Vec3 displacement = Vec3::Zero(), turn = Vec3::Zero();                      ///< of the last step: [m], [rad]
+    Vec3 position = Vec3::Zero(), force = Vec3::Zero(), torque = Vec3::Zero();  ///< at its beginning
   };
 
   void make_room();
   void move();
-  void move_free(std::size_t i);
   void move_driven(Driven& driven);
   double wall_travel(std::size_t body, const Vec3& displacement, const Vec3& turn) const;
   void rebuild();
@@ -55,6 +55,7 @@ class Simulation::Engine {
   Kinematics kinematics_;
   PairList pairs_;
   std::vector<Driven> driven_;
+  std::vector<double> radius_;       ///< of each body's bounding sphere [m]
   std::vector<double> step_travel_;  ///< of each body in the last step [m]
   std::vector<Vec3> listed_at_;      ///< where each body was when the pairs were listed [m]
   double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]

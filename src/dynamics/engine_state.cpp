@@ -23,11 +23,12 @@ struct Header {
   std::uint64_t bodies, far, contacts, narrow_phase, law, checked;
 };
 struct Totals {
-  double viscous_loss, friction_loss, hysteresis_loss, stored_normal, stored_tangential, stiffest;
+  double viscous_loss, friction_loss, hysteresis_loss, curvature_gain, stored_normal, stored_tangential, stiffest;
 };
 
-/// A cache as numbers.
+/// A cache as numbers: all its vectors.
 using CacheNumbers = std::array<double, ContactCaches::width>;
+static_assert(6 * 3 == ContactCaches::width);
 CacheNumbers numbers_of(const ContactCache& cache) {
   CacheNumbers numbers{};
   std::size_t k = 0;
@@ -57,6 +58,7 @@ struct FlatPairs {
   std::vector<CacheNumbers> contact_cache;
   std::vector<MemoryLine> memory;
   std::vector<PairConstants> constants;
+  std::vector<NormalSpring> spring;
   std::vector<Vec3> force, couple;
 
   template <class Visitor>
@@ -73,6 +75,7 @@ struct FlatPairs {
     visitor.template array<double>("contacts.cache", contact_cache);
     visitor.template array<double>("contacts.memory", memory);
     visitor.template array<double>("contacts.constants", constants);
+    visitor.template array<double>("contacts.spring", spring);
     visitor.template array<double>("contacts.force", force);
     visitor.template array<double>("contacts.couple", couple);
   }
@@ -90,14 +93,14 @@ FlatPairs flat(const PairList& list) {
     all.headers.push_back({chunk.bodies.size(), chunk.far.size(), contacts.size(),
                            static_cast<std::uint64_t>(chunk.group.narrow_phase),
                            static_cast<std::uint64_t>(chunk.group.law), static_cast<std::uint64_t>(chunk.checked)});
-    all.totals.push_back({chunk.viscous_loss, chunk.friction_loss, chunk.hysteresis_loss, chunk.stored_normal,
-                          chunk.stored_tangential, chunk.stiffest});
+    all.totals.push_back({chunk.viscous_loss, chunk.friction_loss, chunk.hysteresis_loss, chunk.curvature_gain,
+                          chunk.stored_normal, chunk.stored_tangential, chunk.stiffest});
     append(all.bodies, chunk.bodies);
-    for (const FarPair& far : chunk.far) {
-      all.far.push_back(far.bodies);
-      all.far_quiet.push_back(far.quiet_until);
-      all.far_state.push_back(static_cast<std::int32_t>(far.cache.state));
-      all.far_cache.push_back(numbers_of(far.cache));
+    for (std::size_t i = 0; i < chunk.far.size(); ++i) {
+      all.far.push_back(chunk.far[i].bodies);
+      all.far_quiet.push_back(chunk.far[i].quiet_until);
+      all.far_state.push_back(static_cast<std::int32_t>(chunk.far_caches[i].state));
+      all.far_cache.push_back(numbers_of(chunk.far_caches[i]));
     }
     append(all.contacts, contacts.bodies);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -106,6 +109,7 @@ FlatPairs flat(const PairList& list) {
       all.constants.push_back({contacts.reduced_mass[i], contacts.effective_radius[i], contacts.radius_cap[i]});
     }
     append(all.memory, contacts.memory);
+    append(all.spring, contacts.spring);
     append(all.force, contacts.force);
     append(all.couple, contacts.couple);
   }
@@ -151,6 +155,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
   Next contact_cache("contacts.cache", all.contact_cache);
   Next memory("contacts.memory", all.memory);
   Next constants("contacts.constants", all.constants);
+  Next spring("contacts.spring", all.spring);
   Next force("contacts.force", all.force);
   Next couple("contacts.couple", all.couple);
   Next totals("chunks.totals", all.totals);
@@ -166,6 +171,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     chunk.viscous_loss = sums.viscous_loss;
     chunk.friction_loss = sums.friction_loss;
     chunk.hysteresis_loss = sums.hysteresis_loss;
+    chunk.curvature_gain = sums.curvature_gain;
     chunk.stored_normal = sums.stored_normal;
     chunk.stored_tangential = sums.stored_tangential;
     chunk.stiffest = sums.stiffest;
@@ -177,12 +183,14 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     }
     chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
     for (std::uint64_t i = 0; i < header.far; ++i) {
-      chunk.far.push_back({far(), far_quiet(), cache_of(far_cache(), far_state())});
+      chunk.far.push_back({far(), far_quiet()});
+      chunk.far_caches.push_back(cache_of(far_cache(), far_state()));
       require_place(chunk.far.back().bodies, chunk);
     }
     for (std::uint64_t i = 0; i < header.contacts; ++i) {
       append_contact(chunk.contacts, contact(), cache_of(contact_cache(), contact_state()), constants(), law);
       require_place(chunk.contacts.bodies.back(), chunk);
+      chunk.contacts.spring.back() = spring();
       chunk.contacts.force.back() = force();
       if (law.makes_couples()) chunk.contacts.couple.back() = couple();
     }
@@ -228,6 +236,7 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.value("losses.viscous", self.pairs_.viscous_loss);
   visitor.value("losses.friction", self.pairs_.friction_loss);
   visitor.value("losses.hysteresis", self.pairs_.hysteresis_loss);
+  visitor.value("gains.curvature", self.pairs_.curvature_gain);
   visitor.template array<double>("bodies.listed_at", self.listed_at_);
   visit_pairs(self.pairs_, self.world_, self.bodies_.size(), visitor);
 }
@@ -257,17 +266,25 @@ State Simulation::Engine::state() const {
 }
 
 std::size_t Simulation::Engine::memory_bytes() const {
-  std::size_t sum = bytes(bodies_.shape) + bytes(bodies_.material) + bytes(bodies_.motion) + bytes(bodies_.position) +
-                    bytes(bodies_.orientation) + bytes(bodies_.velocity) + bytes(bodies_.angular_momentum) +
-                    bytes(bodies_.force) + bytes(bodies_.torque) + bytes(bodies_.mass) + bytes(bodies_.inertia) +
-                    bytes(kinematics_.records) + bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) +
-                    bytes(pairs_.first) + bytes(pairs_.incidences) + bytes(pairs_.chunks);
+  std::size_t sum = contact_bytes() + bytes(bodies_.shape) + bytes(bodies_.material) + bytes(bodies_.motion) +
+                    bytes(bodies_.position) + bytes(bodies_.orientation) + bytes(bodies_.velocity) +
+                    bytes(bodies_.angular_momentum) + bytes(bodies_.force) + bytes(bodies_.torque) +
+                    bytes(bodies_.mass) + bytes(bodies_.inertia) + bytes(kinematics_.records) +
+                    bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) + bytes(pairs_.first) +
+                    bytes(pairs_.incidences) + bytes(pairs_.chunks);
+  for (const PairChunk& chunk : pairs_.chunks)
+    sum += bytes(chunk.far) + bytes(chunk.far_caches) + bytes(chunk.bodies) + bytes(chunk.wrenches);
+  return sum;
+}
+
+std::size_t Simulation::Engine::contact_bytes() const {
+  std::size_t sum = 0;
   for (const PairChunk& chunk : pairs_.chunks) {
     const Contacts& contacts = chunk.contacts;
-    sum += bytes(chunk.far) + bytes(chunk.bodies) + bytes(chunk.wrenches) + bytes(contacts.bodies) +
-           bytes(contacts.caches.states) + contacts.caches.states.capacity() * sizeof(CacheNumbers) +
-           bytes(contacts.memory) + bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) +
-           bytes(contacts.radius_cap) + bytes(contacts.force) + bytes(contacts.couple);
+    sum += bytes(contacts.bodies) + bytes(contacts.caches.states) +
+           contacts.caches.states.capacity() * sizeof(CacheNumbers) + bytes(contacts.memory) +
+           bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) + bytes(contacts.radius_cap) +
+           bytes(contacts.spring) + bytes(contacts.force) + bytes(contacts.couple);
   }
   return sum;
 }

@@ -1,5 +1,7 @@
 #include "dynamics/pair_chunk.hpp"
 
+#include <algorithm>
+
 namespace osculate {
 namespace {
 
@@ -25,6 +27,7 @@ void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCac
   contacts.reduced_mass.push_back(constants.reduced_mass);
   contacts.effective_radius.push_back(constants.effective_radius);
   contacts.radius_cap.push_back(constants.radius_cap);
+  contacts.spring.push_back({0.0, 0.0});
   contacts.force.push_back(Vec3::Zero());
   if (law.makes_couples()) contacts.couple.push_back(Vec3::Zero());
 }
@@ -34,6 +37,7 @@ void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, con
   append_contact(contacts, from.bodies[i], from.caches.get(i),
                  {from.reduced_mass[i], from.effective_radius[i], from.radius_cap[i]}, law);
   copy_memory(from.memory, i, contacts.memory, end, law.memory_size());
+  contacts.spring[end] = from.spring[i];
   contacts.force[end] = from.force[i];
   if (law.makes_couples()) contacts.couple[end] = from.couple[i];
 }
@@ -52,8 +56,33 @@ void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
   fill_gap(contacts.reduced_mass);
   fill_gap(contacts.effective_radius);
   fill_gap(contacts.radius_cap);
+  fill_gap(contacts.spring);
   fill_gap(contacts.force);
   if (law.makes_couples()) fill_gap(contacts.couple);
+}
+
+void drop_spare_room(PairChunk& chunk) {
+  Contacts& contacts = chunk.contacts;
+  const std::size_t size = contacts.size(), room = size + size / law_lanes + 1;
+  const auto fit = [](auto& items, std::size_t count) {
+    auto fitting = items;  // a copy is as long as what it copies
+    fitting.reserve(count);
+    items.swap(fitting);
+  };
+  fit(chunk.far, chunk.far.size());
+  fit(chunk.far_caches, chunk.far.size());
+  fit(chunk.bodies, chunk.bodies.size());
+  contacts.caches = ContactCaches(contacts.caches);
+  contacts.caches.resize(room);
+  contacts.caches.resize(size);
+  fit(contacts.bodies, room);
+  fit(contacts.memory, contacts.memory.size() * room / std::max<std::size_t>(size, 1));
+  fit(contacts.reduced_mass, room);
+  fit(contacts.effective_radius, room);
+  fit(contacts.radius_cap, room);
+  fit(contacts.spring, room);
+  fit(contacts.force, room);
+  if (!contacts.couple.empty()) fit(contacts.couple, room);
 }
 
 }  // namespace osculate

@@ -39,7 +39,12 @@ enum class Fault : std::uint8_t { none, degenerate, not_converged, too_deep, ste
 struct FarPair {
   BodyPair bodies;
   double quiet_until;  ///< it cannot touch before both travels add up to this [m]
-  ContactCache cache;
+};
+
+/// A contact's normal spring at the last step: its energy is coefficient · overlap^(p + 1).
+struct NormalSpring {
+  double overlap;      ///< [m]; 0 before the first step
+  double coefficient;  ///< [J/m^(p + 1)]
 };
 
 /// Pairs that touch, one after another. Everything about contact i stands at i.
@@ -50,8 +55,9 @@ struct Contacts {
   std::vector<double> reduced_mass;      ///< [kg]
   std::vector<double> effective_radius;  ///< of the volume-equivalent spheres [m]
   std::vector<double> radius_cap;        ///< [m]
-  std::vector<Vec3> force;               ///< on body 1 [N]
-  std::vector<Vec3> couple;              ///< on body 1 [N m]; empty where the law makes none
+  std::vector<NormalSpring> spring;
+  std::vector<Vec3> force;   ///< on body 1 [N]
+  std::vector<Vec3> couple;  ///< on body 1 [N m]; empty where the law makes none
 
   std::size_t size() const { return bodies.size(); }
 };
@@ -68,10 +74,11 @@ struct Wrench {
 };
 
 struct PairChunk {
-  static constexpr std::size_t most_pairs = 512;
+  static constexpr std::size_t most_pairs = 1024;
 
   PairGroup group;
   std::vector<FarPair> far;
+  std::vector<ContactCache> far_caches;  ///< one for each: looked at when it wakes
   Contacts contacts;
 
   /// The chunk's bodies; pairs know them by their place here.
@@ -79,7 +86,7 @@ struct PairChunk {
   std::vector<Wrench> wrenches;  ///< on each of them
 
   // Since the start [J].
-  double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0;
+  double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0, curvature_gain = 0.0;
   // At the last step.
   double stored_normal = 0.0, stored_tangential = 0.0;  ///< [J]
   double stiffest = 0.0;                                ///< largest dF/dδ over reduced mass [1/s²]
@@ -95,6 +102,9 @@ void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCac
 
 /// Appends contact `i` of another list with everything it remembers.
 void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law);
+
+/// Gives back memory that growing left over, but for an eighth.
+void drop_spare_room(PairChunk& chunk);
 
 /// Removes a contact; the last one takes its place.
 void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law);

@@ -150,10 +150,12 @@ PairList make_pair_list(PairList&& before, const World& world, const Bodies& bod
   list.viscous_loss = before.viscous_loss;
   list.friction_loss = before.friction_loss;
   list.hysteresis_loss = before.hysteresis_loss;
+  list.curvature_gain = before.curvature_gain;
   for (const PairChunk& chunk : before.chunks) {
     list.viscous_loss += chunk.viscous_loss;
     list.friction_loss += chunk.friction_loss;
     list.hysteresis_loss += chunk.hysteresis_loss;
+    list.curvature_gain += chunk.curvature_gain;
   }
   const std::vector<Place> old = places_of(before);
   auto known = old.begin();
@@ -173,16 +175,21 @@ PairList make_pair_list(PairList&& before, const World& world, const Bodies& bod
     }
     const Index one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
     const double reach = world.reach[index_of(candidate.group.law)];
-    FarPair far{candidate.pair, sphere_gap(world, bodies, one, two) - reach, {}};
+    FarPair far{candidate.pair, sphere_gap(world, bodies, one, two) - reach};
+    ContactCache cache;
     if (is_known) {
       const FarPair& was = known->chunk->far[index_of(known->far)];
-      far.cache = was.cache;
+      cache = known->chunk->far_caches[index_of(known->far)];
       far.quiet_until = std::max(far.quiet_until, was.quiet_until - kinematics.travel[one] - kinematics.travel[two]);
     }
     chunk.far.push_back(far);
+    chunk.far_caches.push_back(cache);
   }
   std::vector<std::int32_t> place(bodies.size(), -1);
-  for (PairChunk& chunk : list.chunks) number_bodies(chunk, place);
+  for (PairChunk& chunk : list.chunks) {
+    number_bodies(chunk, place);
+    drop_spare_room(chunk);
+  }
   index_bodies(list, bodies.size());
   return list;
 }

@@ -20,7 +20,7 @@ struct PairList {
   std::vector<std::uint64_t> first;   ///< of each body's incidences; one more than bodies
   std::vector<Incidence> incidences;  ///< of each body in the order of the chunks
   // Of chunks that are no more [J].
-  double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0;
+  double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0, curvature_gain = 0.0;
 };
 
 /// The pairs that may touch while no two bodies have together moved further than the skin. What `before` knows of a

@@ -41,6 +41,9 @@ StageTimes Simulation::times() const {
 std::size_t Simulation::memory_bytes() const {
   return engine_->memory_bytes();
 }
+std::size_t Simulation::contact_bytes() const {
+  return engine_->contact_bytes();
+}
 State Simulation::state() const {
   return engine_->state();
 }

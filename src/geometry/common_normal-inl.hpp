@@ -219,8 +219,9 @@ HWY_INLINE void limit(Step<Real>& step, const Real& squared, const Real& longest
 constexpr double longest_step = 0.7;
 /// A step of this size is the last: what it leaves undone is its square.
 constexpr double small_step = 1e-12;
-/// Normals that differ by this are equal: points on flat sets move no further.
-constexpr double equal_normals = 3e-15;
+/// Normals that differ by this are equal (they are known to n units in the last place): points on flat sets move no
+/// further.
+constexpr double equal_normals = 1e-14;
 /// From steps below this on, the error falls with the square of the step.
 constexpr double quadratic_step = 1e-3;
 /// An error below this is left, in radians seen from the larger body's size; the surfaces are evaluated once more, for
@@ -283,6 +284,7 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
     const MaskType<Real> settled = is_settled(jet_1, zero) & is_settled(jet_2, zero);
     Step<Real> step = residual(pair, jet_1, jet_2, basis);
     const Real mismatch = dot(step.mismatch, step.mismatch), offset = dot(step.offset, step.offset);
+    const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
     if (i == 0) {
       answer.basis = basis;
       answer.shape_1 = shape_1;
@@ -293,7 +295,6 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
       answer.shape_1 = select(done, answer.shape_1, shape_1);
       answer.shape_2 = select(done, answer.shape_2, shape_2);
       if (any(closing)) {
-        const Touch<Real> here{jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
         closing = closing & settled & (mismatch < left_undone) & (offset < left_undone) & !done;
         answer.touch = select(closing, here, answer.touch);
         answer.converged = done | closing;
@@ -315,7 +316,8 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
     closing = sound & (last_move < Real(quadratic_step * quadratic_step)) &
               (moved * square(moved) < left_undone * square(last_move));
     last_move = moved;
-    answer.touch = select(answer.converged, answer.touch, next);
+    // What is solved stays: on flat sets the step means nothing.
+    answer.touch = select(answer.converged, answer.touch, select(solved & sound, here, next));
     answer.converged = answer.converged | arrived;
     if (all(answer.converged)) break;
   }
@@ -344,6 +346,11 @@ HWY_INLINE Start<Real> predict(const Pair& pair, const Touch<Real>& last, const 
   limit(step, moved, Real(longest_step));
   return {advance(at_1, at_2, basis, step, pair.length), moved};
 }
+
+/// Below this (curvature times length) a number only stands for the zero curvature in the middle of a face.
+constexpr double vanishing_curvature = 1e-30;
+/// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
+constexpr double flat_curvature = 1e-9;
 
 /// How hard to try.
 struct Effort {

@@ -180,12 +180,6 @@ HWY_INLINE Touch<Real> read_touch(const Jobs& jobs, const Placement<Real>& place
       placement.rotation.apply(gather3<Real>(jobs, [](const PairJob& job) { return job.cache->normal_2; }))};
 }
 
-/// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
-constexpr double flat_curvature = 1e-9;
-
-/// Below this (curvature times length) a number only stands for the zero curvature in the middle of a face.
-constexpr double vanishing_curvature = 1e-30;
-
 inline bool is_finite(const ContactGeometry& contact) {
   return contact.normal.allFinite() && std::isfinite(contact.overlap) && contact.on_1.allFinite() &&
          contact.on_2.allFinite() && std::isfinite(contact.curvature_1.max) && std::isfinite(contact.curvature_2.max);

@@ -62,8 +62,7 @@ template <class Real, class Lift>
 HWY_NOINLINE std::uint64_t solve_warm(const Rows& rows) {
   const auto problem = problem_of<Real>(rows);
   const Answer<Real> answer = warm_answer(problem.template as<Lift>(), problem, rows);
-  write_answer(problem, answer, answer.converged, rows);
-  return bits(answer.converged);
+  return bits(write_answer(problem, answer, answer.converged, rows));
 }
 
 /// Pairs whose cache holds a direction and the support points in it. The bodies turn by d against each other; along the
@@ -136,8 +135,7 @@ HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Or
   }
   const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, effort.newtons);
   const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !solved;
-  write_answer(problem, answer, good, rows);
-  solved = solved | good;
+  solved = solved | write_answer(problem, answer, good, rows);
   if (!all(solved)) write_touch(problem, touch, (least == least) & !solved, rows);
   return bits((least == least) & solved);
 }
@@ -175,10 +173,10 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
     const Answer<Real> answer = attempt(axis_direction(problem, k), open);
     best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
   }
-  const MaskType<Real> found = best.converged & (best.overlap <= least + overlap_tolerance(problem));
+  const MaskType<Real> found =
+      write_answer(problem, best, best.converged & (best.overlap <= least + overlap_tolerance(problem)), rows);
   const MaskType<Real> finite = least == least;
   const Real zero(0.0);
-  write_answer(problem, best, found, rows);
   write_failure(problem, best_direction, least, ContactStatus::not_converged, finite & !found, rows);
   write_failure(problem, V3<Real>{zero, zero, zero}, zero, ContactStatus::degenerate, !(finite | found), rows);
   return bits(zero == zero);

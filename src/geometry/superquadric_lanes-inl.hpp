@@ -261,9 +261,6 @@ HWY_INLINE Cached<Real> read_cached(const Problem<Real>& problem, const Rows& ro
           turned(select(swapped, shape_1, shape_2), basis_of_2(problem, normal_in_2), basis)};
 }
 
-/// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
-constexpr double flat_curvature = 1e-9;
-
 /// Points and normals go into the cache, each in the frame of its body. Returns normal 2 in the frame of the second.
 template <class Real>
 HWY_INLINE V3<Real> write_touch(const Problem<Real>& problem, const Touch<Real>& touch, MaskType<Real> wanted,
@@ -290,10 +287,11 @@ HWY_INLINE void set_rows(Value value, MaskOfReal wanted, std::vector<Value>& val
   for (std::uint64_t set = bits(wanted); set != 0; set &= set - 1) row[std::countr_zero(set)] = value;
 }
 
+/// Returns the lanes that were written: those wanted whose numbers are all finite.
 /// With Gap::skip a gap's points and normals serve as a proof of separation from now on.
 template <class Real>
-HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>& answer, MaskType<Real> wanted,
-                               const Rows& rows) {
+HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Answer<Real>& answer,
+                                         MaskType<Real> converged, const Rows& rows) {
   const auto& swapped = problem.swapped;
   const auto& frame = problem.frame;
   auto& columns = rows.tables.contacts.columns;
@@ -301,29 +299,37 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
   const V3<Real> normal = frame.apply(answer.normal);
   const V3<Real> point_1 = frame.apply(answer.touch.point_1) + problem.origin;
   const V3<Real> point_2 = frame.apply(answer.touch.point_2) + problem.origin;
+  const auto in_world = [&](const V2<Real>& t) HWY_ATTR { return frame.apply(lift(answer.basis, t)); };
+  const Real vanishing = Real(vanishing_curvature) * reciprocal(problem.length);
+  const auto convex = [&](const Sym2<Real>& shape) HWY_ATTR {
+    Eigen2<Real> curvature = eigen(shape);
+    curvature.max = select(curvature.max < vanishing, zero, curvature.max);
+    curvature.min = select(curvature.min < vanishing, zero, curvature.min);
+    return curvature;
+  };
+  const Eigen2<Real> first = convex(answer.shape_1), second = convex(answer.shape_2);
+  const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
+  const V3<Real> axis_1 = in_world(first.direction), axis_2 = in_world(second.direction);
+  const V3<Real> major_axis = in_world({-relative.direction.q, relative.direction.p});
+  // A sum is finite if all its terms are.
+  const V3<Real> all = normal + point_1 + point_2 + axis_1 + axis_2 + major_axis;
+  const Real sum = all.x + all.y + all.z + answer.overlap + first.max + second.max;
+  const MaskType<Real> wanted = converged & (sum - sum == zero);
+
   write3(select(swapped, -normal, normal), wanted, columns, 0, rows);
   write(answer.overlap, wanted, columns, 3, rows);
   write3(select(swapped, point_2, point_1), wanted, columns, 4, rows);
   write3(select(swapped, point_1, point_2), wanted, columns, 7, rows);
-
-  const auto in_world = [&](const V2<Real>& t) HWY_ATTR { return frame.apply(lift(answer.basis, t)); };
-  const auto convex = [&](const Sym2<Real>& shape) HWY_ATTR {
-    Eigen2<Real> curvature = eigen(shape);
-    curvature.min = max(curvature.min, zero);
-    return curvature;
-  };
-  const auto write_curvature = [&](const Sym2<Real>& shape, std::size_t k) HWY_ATTR {
-    const Eigen2<Real> curvature = convex(shape);
+  const auto write_curvature = [&](const Eigen2<Real>& curvature, const V3<Real>& direction, std::size_t k) HWY_ATTR {
     write(curvature.max, wanted, columns, k, rows);
     write(curvature.min, wanted, columns, k + 1, rows);
-    write3(in_world(curvature.direction), wanted, columns, k + 2, rows);
+    write3(direction, wanted, columns, k + 2, rows);
   };
-  write_curvature(select(swapped, answer.shape_2, answer.shape_1), 10);
-  write_curvature(select(swapped, answer.shape_1, answer.shape_2), 15);
-  const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
+  write_curvature(select(swapped, second, first), select(swapped, axis_2, axis_1), 10);
+  write_curvature(select(swapped, first, second), select(swapped, axis_1, axis_2), 15);
   write(one / relative.min, wanted, columns, 20, rows);
   write(one / relative.max, wanted, columns, 21, rows);
-  write3(in_world({-relative.direction.q, relative.direction.p}), wanted, columns, 22, rows);
+  write3(major_axis, wanted, columns, 22, rows);
 
   auto& cache = rows.tables.caches.columns;
   const V3<Real> normal_b = write_touch(problem, answer.touch, wanted, rows);
@@ -344,6 +350,7 @@ HWY_NOINLINE void write_answer(const Problem<Real>& problem, const Answer<Real>&
   set_rows(ContactStatus::touching, wanted, rows.tables.contacts.statuses, rows);
   set_rows(ContactStatus::flat, wanted & flat, rows.tables.contacts.statuses, rows);
   set_rows(ContactStatus::separated, wanted & gap, rows.tables.contacts.statuses, rows);
+  return wanted;
 }
 
 /// A direction and the overlap along it, without points.

@@ -61,6 +61,9 @@ HWY_INLINE Sym2<Real> shape_operator(const SharpJet<Real>& jet, const TangentBas
   return project(jet.curvature, basis);
 }
 
+/// At a sharp tip curvatures reach this over the body's size instead of ∞: their squares are finite.
+constexpr double largest_weight = 1e100;
+
 /// The surface point with these pair norms, and its normal and curvature: K = ∇∇N/|∇N| in the tangent plane.
 template <class Jet, class Real>
 HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, const V3<Real>& sign,
@@ -71,11 +74,12 @@ HWY_INLINE Jet jet_of(const PairNorm<Real>& inner, const PairNorm<Real>& outer, 
                           outer.slope.q * i.z};
   const Real squared = dot(gradient, gradient), flatness = inverse_sqrt(squared), steepness = squared * flatness;
   const Real weight_a = inner.bend * outer.slope_over_hat, weight_b = outer.bend;
+  const Real most(largest_weight);
   Jet jet;
   jet.point = {outer.hat.p * inner.hat.p * s.x, outer.hat.p * inner.hat.q * s.y, outer.hat.q * s.z};
   jet.normal = flatness * gradient;
-  jet.curvature = {weight_a * flatness,
-                   weight_b * flatness,
+  jet.curvature = {min(weight_a, most) * flatness,
+                   min(weight_b, most) * flatness,
                    {inner.hat.q * i.x, -inner.hat.p * i.y, Real(0.0)},
                    {outer.hat.q * inner.slope.p * i.x, outer.hat.q * inner.slope.q * i.y, -outer.hat.p * i.z}};
   if constexpr (requires { jet.point_a; }) {

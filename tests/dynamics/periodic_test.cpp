@@ -56,8 +56,7 @@ TEST_CASE("Gravity along a periodic direction stays in the ledger") {
   Simulation simulation(setup);
   const double before = simulation.energy().balance();
   simulation.advance(20000);
-  // Boxes: the stiffness of a contact changes as it slides along their rounded edges, and no force knows of that.
-  CHECK(std::fabs(simulation.energy().balance() - before) < 6e-3 * simulation.energy().lost());
+  CHECK(std::fabs(simulation.energy().balance() - before) < 2e-3 * simulation.energy().lost());
 }
 
 TEST_CASE("A periodic box too small for its particles is refused") {

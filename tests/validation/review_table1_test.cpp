@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "osculate/mechanics/contact_ellipse.hpp"
 #include "validation/kildashti2023/tables.hpp"
 
 namespace validation = osculate::validation;
@@ -51,6 +53,18 @@ TEST_CASE("Table 1: the printed forces of case 3 contradict the decoded radii, a
   // Their order is reversed: (14) lies below (13) for nearly circular contacts, above it in print.
   REQUIRE(*row("3", "accurate, axes by (14)").computed < *row("3", "accurate, axes by (13)").computed);
   REQUIRE(row("3", "accurate, axes by (14)").printed->value > row("3", "accurate, axes by (13)").printed->value);
+}
+
+TEST_CASE("Table 1: the radii said to give both printed forces of case 3 do") {
+  const auto notes = validation::kildashti2023::table1().notes;
+  REQUIRE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("(1.08, 0.0293) R_vol would") != std::string::npos;
+  }));
+  const auto exact = osculate::contact_ellipse(1.08, 0.0293);
+  const auto approximate = osculate::contact_ellipse_approximate(1.08, 0.0293);
+  // The radii are given to three digits, and the force goes with their root.
+  REQUIRE(std::sqrt(exact.R_c) * exact.gamma() == Approx(0.5334).epsilon(2e-3));
+  REQUIRE(approximate.gamma() / exact.gamma() == Approx(0.5345 / 0.5334).epsilon(1e-4));
 }
 
 TEST_CASE("Table 1: two radii at the cap make the simplified model root five") {

@@ -87,6 +87,14 @@ double ratio_for_overestimate(double overestimate) {
   return low;
 }
 
+/// The radii at which (14) gives one printed force and (13) the other.
+Radii radii_for_both(const PrintedForces& forces) {
+  const double ratio = ratio_for_overestimate(forces.accurate.value / forces.without_adhesion.value);
+  // The force goes with the root of the radii.
+  const double root = forces.without_adhesion.value / normalised_force(contact_ellipse, ratio, 1.0);
+  return {ratio * root * root, root * root};
+}
+
 }  // namespace
 
 ReproducedTable table1() {
@@ -135,6 +143,8 @@ ReproducedTable table1() {
   };
   const double printed_quotient = printed[2].accurate.value / printed[2].without_adhesion.value;
 
+  const Radii other = radii_for_both(printed[2]);
+
   table.notes = {
       "The printed values of \"axes by (14)\" are Table 1's, of \"axes by (13)\" Table 2's without adhesion (W → 0).",
       fmt::format(
@@ -153,8 +163,10 @@ ReproducedTable table1() {
                   "radii near the decoded",
                   cases[2].R_i.value / cases[2].R_j.value, approximation_error(cases[2]),
                   ratio_for_overestimate(printed_quotient)),
-      "    ones give both. Each printed number alone is met within 0.5 %; which of the two is at fault cannot be told",
-      "    without the pose.",
+      fmt::format(
+          "    ones give both; ({:.2f}, {:.4f}) R_vol would. Each printed number alone is met within 0.5 %; which of",
+          other.R_i, other.R_j),
+      "    these numbers is at fault cannot be told without the pose.",
       "[c] Case 3: the simplified model needs each body's Gaussian curvature, which the relative radii only bound,",
       "    from bodies curved alike (low) to both at the cap (high). The project does not have the printed value.",
       "    In cases 1 and 2, R_i at the cap means that both bodies are flat along it: both Gaussian radii are",

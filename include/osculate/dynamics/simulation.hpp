@@ -41,12 +41,14 @@ struct EnergyLedger {
   double viscous_loss;
   double friction_loss;
   double hysteresis_loss;
+  double curvature_gain;  ///< of normal springs whose stiffness changed because the bodies touched where they are
+                          ///< curved otherwise: no force takes this energy from the motion. Small; 0 for spheres
   double driven_work;  ///< that driven bodies did on the others
 
   double mechanical() const { return kinetic + rotational + gravity + stored_normal + stored_tangential; }
   double lost() const { return viscous_loss + friction_loss + hysteresis_loss; }
   /// What is constant when all is accounted for.
-  double balance() const { return mechanical() + lost() - driven_work; }
+  double balance() const { return mechanical() + lost() - driven_work - curvature_gain; }
 };
 
 /// What the last step was like.
@@ -86,7 +88,8 @@ class Simulation {
   EnergyLedger energy() const;
   StepCounts counts() const;
   StageTimes times() const;
-  std::size_t memory_bytes() const;  ///< of everything that grows with the number of bodies
+  std::size_t memory_bytes() const;   ///< of everything that grows with the number of bodies
+  std::size_t contact_bytes() const;  ///< of them, those that grow with the number of contacts
   State state() const;
 
  private:
