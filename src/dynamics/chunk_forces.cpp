@@ -74,7 +74,7 @@ class ChunkStep {
     for (Index row = 0; row < scratch_.awake.size(); ++row) {
       const Index k = index_of(scratch_.awake[row]);
       scratch_.pairs.push_back(chunk_.far[k].bodies);
-      scratch_.caches.set(row, chunk_.far_caches[k]);
+      scratch_.caches.set(row, chunk_.far_caches[k].cache());
     }
     solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip);
     // From behind, since a pair that leaves is replaced by the last one.
@@ -195,7 +195,7 @@ void ChunkStep::sort_out(Index row) {
     chunk_.far_caches.pop_back();
     return;
   }
-  chunk_.far_caches[k] = cache;
+  chunk_.far_caches[k] = FarCache(cache);
   const double size = std::min(shape(far.bodies.first).bounding_radius, shape(far.bodies.second).bounding_radius);
   far.quiet_until = travel(far.bodies.first) + travel(far.bodies.second) - overlap - reach_ - safety * size;
 }
@@ -390,7 +390,7 @@ void ChunkStep::collect_forces() {
     const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
     const double gap = -found.columns[geometry::overlap][i] - reach_ - safety * size_of_pair;
     chunk_.far.push_back({pair, travel(pair.first) + travel(pair.second) + gap});
-    chunk_.far_caches.push_back(contacts.caches.get(i));
+    chunk_.far_caches.emplace_back(contacts.caches.get(i));
     remove_contact(contacts, i, law_);
   }
 }
