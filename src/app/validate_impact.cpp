@@ -19,23 +19,23 @@ namespace {
 /// Of the restitution, simulated against integrated: touch and parting are known to a step of a thousand.
 constexpr double restitution_tolerance = 2e-3;
 
+constexpr const char* introduction =
+    R"(Eight impact tests of Chung and Ooi (2011), simulated by the engine in a thousand steps an impact. The paper was not
+at hand: materials, sizes and speeds are those of other codes' public scripts of the same tests. Of test 6 the materials
+are those of test 8, and in test 7 both spheres spin in the same sense: there sources were lacking or contradicted each
+other; neither enters the closed forms of slip.
+
+Reference values are closed forms, evaluated here. Of oblique and spinning impacts those are shown in which the surfaces
+slip throughout; partial slip (Maw, Barber and Fawcett 1976) has none. Closed forms of spin take the arm R; the engine's
+arm ends in the middle of the overlap, and the tolerance allows for that. Coulomb's limit is the whole normal force in
+the law sliding, as in the paper. In mindlin it is the elastic part, which goes on where a dashpot brings the whole force
+down to zero: another impulse, with a closed form of its own.
+)";
+
 std::size_t print_tests() {
   const std::vector<validation::ImpactRow> rows = validation::impact_tests();
   std::size_t missed = 0;
-  fmt::print(
-      "Eight impact tests of Chung and Ooi (2011), simulated by the engine in a thousand steps an impact. The paper "
-      "was\n"
-      "not at hand: materials, sizes and speeds are those of other codes' public scripts of the same tests. Of test 6\n"
-      "the materials are those of test 8, and in test 7 both spheres spin in the same sense: there sources were "
-      "lacking\n"
-      "or contradicted each other; neither enters the closed forms of slip.\n\n"
-      "Reference values are closed forms, evaluated here. Of oblique and spinning impacts those are shown in which "
-      "the\n"
-      "surfaces slip throughout; partial slip (Maw, Barber and Fawcett 1976) has none. Closed forms of spin take the\n"
-      "arm R; the engine's arm ends in the middle of the overlap, and the tolerance allows for that. Coulomb's limit "
-      "is\n"
-      "the whole normal force in the law sliding, its elastic part in mindlin; each meets the closed form of its "
-      "own.\n");
+  fmt::print("{}", introduction);
   for (std::size_t test = 1; test <= validation::impact_test_titles().size(); ++test) {
     io::Table table{{"material", "condition", "quantity", "closed form", "computed", "difference", "verdict"}, {}, 3};
     for (const validation::ImpactRow& row : rows) {
