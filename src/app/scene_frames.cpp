@@ -5,7 +5,7 @@
 namespace osculate::app {
 namespace {
 
-constexpr int fraction_points = 64;  // an axis
+constexpr int fraction_points = 32;  // an axis
 
 bool has_particle_shape(const Simulation& simulation, std::size_t body) {
   return is_particle(simulation.shapes()[static_cast<std::size_t>(simulation.bodies().shape[body])].shape);
@@ -91,6 +91,7 @@ std::vector<std::string> series_names(const io::Scene& scene) {
                                  "friction_loss",
                                  "hysteresis_loss",
                                  "driven_work",
+                                 "curvature_gain",
                                  "balance",
                                  "contacts",
                                  "coordination",
@@ -114,6 +115,7 @@ std::vector<double> series_row(const io::Scene& scene, const Simulation& simulat
                           energy.friction_loss,
                           energy.hysteresis_loss,
                           energy.driven_work,
+                          energy.curvature_gain,
                           energy.balance(),
                           static_cast<double>(net.contacts),
                           net.coordination,
