@@ -33,6 +33,12 @@ void add_review(CLI::App& program);
 /// `validate`: independent witnesses against the library.
 void add_validate(CLI::App& program);
 
+/// `export`: results for other programs.
+void add_export(CLI::App& program);
+
+/// `render`: pictures and films of results.
+void add_render(CLI::App& program);
+
 /// `study`: sweeps that show where a model holds.
 void add_study(CLI::App& program);
 

@@ -87,7 +87,7 @@ void print_summary(const Simulation& simulation, std::uint64_t steps, double sec
                           {"lost to friction", joule(energy.friction_loss)},
                           {"lost to hysteresis", joule(energy.hysteresis_loss)},
                           {"less the work of driven bodies", joule(-energy.driven_work)},
-                          {"less the gain where curvatures changed", joule(-energy.curvature_gain)},
+                          {"less what springs gained by curvature", joule(-energy.curvature_gain)},
                           {"sum, constant but for the time step", joule(energy.balance())}},
                          1};
   fmt::print("\n{}", io::to_text(ledger));
