@@ -146,8 +146,8 @@ TEST_CASE("A run stopped by a signal says how to go on, and goes on") {
   const fs::path folder = fresh_folder("stop");
   put(folder / "scene.toml", small_scene("10 s"));
   const test::Run stopped =
-      run(folder, "--version; " OSCULATE_PROGRAM
-                  " run scene.toml --out out 2> said.txt & pid=$!; sleep 1; kill -INT $pid; wait $pid");
+      run(folder, "law hertz; " OSCULATE_PROGRAM
+                  " run scene.toml --out out >/dev/null 2> said.txt & pid=$!; sleep 1; kill -INT $pid; wait $pid");
   CHECK(stopped.exit_code == 128 + SIGINT);
   CHECK_THAT(content_of(folder / "said.txt"), Catch::Contains("--resume"));
   CHECK(fs::exists(folder / "out" / "checkpoint.bin"));
@@ -193,8 +193,8 @@ TEST_CASE("A full disk ends a run with its reason and leaves the frames before i
   const fs::path folder = fresh_folder("full");
   put(folder / "scene.toml", small_scene("60 ms"));
   // A limit on the size of files, met by an error and not by a signal: what a full disk does to a program.
-  const test::Run full = run(
-      folder, "--version >/dev/null 2>&1; trap '' XFSZ; ulimit -f 160; " OSCULATE_PROGRAM " run scene.toml --out out");
+  const test::Run full =
+      run(folder, "law hertz; trap '' XFSZ; ulimit -f 160; " OSCULATE_PROGRAM " run scene.toml --out out");
   CHECK(full.exit_code == 2);
   CHECK_THAT(full.err, Catch::Contains("out/") && Catch::Contains("File too large"));
   {
@@ -222,7 +222,7 @@ TEST_CASE("Results are read while another program writes them") {
   const fs::path folder = fresh_folder("reader");
   put(folder / "scene.toml", small_scene("60 ms"));
   const test::Run both = run(folder,
-                             "run scene.toml --out out & pid=$!; while kill -0 $pid 2>/dev/null; do "
+                             "run scene.toml --out out >/dev/null & pid=$!; while kill -0 $pid 2>/dev/null; do "
                              "[ -e out/results.h5 ] && " OSCULATE_PROGRAM
                              " info out/results.h5 >/dev/null 2>>info.txt || true; sleep 0.05; done; wait $pid");
   CHECK(both.exit_code == 0);

@@ -141,12 +141,12 @@ TEST_CASE("A scene file becomes a setup in SI") {
 }
 
 TEST_CASE("A slip in a scene file is told with its place and a suggestion") {
-  require_error(with("youngs_modulus", "young_modulus"), {"scene.toml:7", "young_modulus"});
-  require_error(with("frequency", "frequenzy"), {"scene.toml:39", "frequenzy"});
+  require_error(with("youngs_modulus", "young_modulus"), {"scene.toml:9", "young_modulus"});
+  require_error(with("frequency", "frequenzy"), {"scene.toml:36", "frequenzy"});
   require_error(with("restitution = 0.5", "restitution = 1.5"), {"scene.toml:14", "restitution", "1.5"});
   require_error(with("\"tsuji\"", "\"tsui\""), {"scene.toml:14", "did you mean", "tsuji"});
   require_error(with("friction = 0.3", "fricton = 0.3"), {"scene.toml:18", "fricton"});
-  require_error(with("particles = \"bead\"", "particles = \"baed\""), {"scene.toml:56", "did you mean", "bead"});
+  require_error(with("particles = \"bead\"", "particles = \"baed\""), {"scene.toml:53", "did you mean", "bead"});
   require_error(with("interval =", "intervall ="), {"scene.toml:65", "interval"});
   require_error(with("\"1 ms\"", "\"1 mm\""), {"scene.toml:63", "1 mm", "duration"});
   require_error(with("[time]", "unknown = 3\n[time]"), {"scene.toml:62", "unknown"});
