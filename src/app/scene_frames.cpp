@@ -5,7 +5,7 @@
 namespace osculate::app {
 namespace {
 
-constexpr int fraction_points = 64;  // an axis
+constexpr int fraction_points = 32;  // an axis
 
 bool has_particle_shape(const Simulation& simulation, std::size_t body) {
   return is_particle(simulation.shapes()[static_cast<std::size_t>(simulation.bodies().shape[body])].shape);

@@ -93,7 +93,9 @@ SceneRun::SceneRun(const io::Scene& scene, const std::filesystem::path& folder,
       results_(make_results(scene, folder, simulation_, from)),
       pending_{series_names(scene), std::vector<std::vector<double>>(series_names(scene).size())},
       csv_(open_csv(folder, pending_.names, from ? results_.series() : pending_)) {
-  if (!from) record();
+  if (from) return;
+  record();
+  add_checkpoint();
 }
 
 /// What is due at this step.

@@ -34,15 +34,15 @@ void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap)
 }
 
 /// Energy that a contact's normal spring gained since the last step because its coefficient changed: the bodies touch
-/// where they are curved otherwise. No force took it from the motion.
+/// where they are curved otherwise. No force took it from the motion. Only of springs that go with a power of the
+/// overlap, from linear to quadratic.
 double curvature_gain(NormalSpring& spring, double overlap, double stored, double stiffness) {
-  constexpr double hertz = 1.5, same = 1e-9;
+  constexpr double hertz = 1.5, same = 1e-9, least = 1.0 - same, most = 2.0;
   const NormalSpring before = spring;
-  if (!(overlap > 0.0) || !(stored > 0.0) || !(stiffness > 0.0)) {
-    spring = {0.0, 0.0};
-    return 0.0;
-  }
+  spring = {0.0, 0.0};
+  if (!(overlap > 0.0) || !(stored > 0.0) || !(stiffness > 0.0)) return 0.0;
   const double p = elastic_power(overlap, stored, stiffness);
+  if (!(p >= least && p <= most)) return 0.0;
   const auto energy_shape = [p](double depth) {
     return std::fabs(p - hertz) < same ? depth * depth * std::sqrt(depth) : std::pow(depth, p + 1.0);
   };
@@ -356,7 +356,7 @@ void ChunkStep::collect_forces() {
     }
     const double stored = out[answer::stored_normal][i], stiffness = out[answer::stiffness][i];
     stored_normal += stored;
-    gain += curvature_gain(contacts.spring[i], overlap, stored, stiffness);
+    if (reach_ == 0.0) gain += curvature_gain(contacts.spring[i], overlap, stored, stiffness);
     stored_tangential += out[answer::stored_tangential][i];
     const double stiffest = stiffness / contacts.reduced_mass[i];
     most = std::max(most, stiffest);

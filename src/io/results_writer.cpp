@@ -12,6 +12,7 @@ struct ResultsWriter::File {
   std::filesystem::path path;
   Hdf5Handle handle;
   std::vector<std::string> series;
+  bool refused = false;  ///< by the file system, once: what came after would be lost
 };
 
 namespace {
@@ -144,7 +145,9 @@ NumberTable ResultsWriter::series() const {
 }
 
 void ResultsWriter::commit() {
-  require_hdf5(H5Fflush(file_->handle, H5F_SCOPE_GLOBAL), "write to the disk");
+  if (file_->refused) throw std::runtime_error("a file that could not be written to before");
+  file_->refused = H5Fflush(file_->handle, H5F_SCOPE_GLOBAL) < 0;
+  if (file_->refused) throw std::runtime_error("a file that cannot be written to");
 }
 
 void ResultsWriter::append(const ParticleFrame& frame, const std::optional<ContactFrame>& contacts,
