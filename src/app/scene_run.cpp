@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include "app/scene_frames.hpp"
@@ -107,7 +108,12 @@ void SceneRun::record() {
 
 void SceneRun::add_row() {
   const std::vector<double> row = series_row(scene_, simulation_);
-  for (std::size_t k = 0; k < row.size(); ++k) pending_.columns[k].push_back(row[k]);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (!std::isfinite(row[k]))
+      throw std::runtime_error(
+          fmt::format("step {}: the series' {} is {}", simulation_.steps(), pending_.names[k], row[k]));
+    pending_.columns[k].push_back(row[k]);
+  }
   csv_ << csv_row(row) << std::flush;
   if (!csv_)
     throw InputError(series_path(folder_).string(), std::string("cannot be written (") + std::strerror(errno) + ")",

@@ -150,6 +150,23 @@ void require_particles(const TomlTable& file, const Scene& scene) {
     throw InputError(file.where(), "found a scene without particles", "an [[insert]] that brings some in");
 }
 
+/// What is allowed and seldom meant.
+void add_warnings(const TomlTable& file, Scene& scene) {
+  const auto& bodies = scene.setup.bodies;
+  const bool any_driven =
+      std::any_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion != Bodies::free; });
+  if (!scene.setup.gravity.isZero(0.0) && !any_driven)
+    scene.warnings.push_back(
+        fmt::format("{}: gravity, and neither walls nor obstacles: everything falls for ever", file.where("gravity")));
+  if (scene.output.interval > scene.duration)
+    scene.warnings.push_back(
+        fmt::format("{}: an interval of {:.4g} s is longer than the run: frames of the start and the end only",
+                    file.table("output").where("interval"), scene.output.interval));
+  if (scene.output.series_interval < scene.setup.time_step)
+    scene.warnings.push_back(fmt::format("{}: an interval below the time step of {:.4g} s: a row or frame every step",
+                                         file.where("output"), scene.setup.time_step));
+}
+
 }  // namespace
 
 std::uint64_t Scene::steps() const {
@@ -180,6 +197,7 @@ Scene read_scene(const std::filesystem::path& path) {
   read_time(file, scene);
   read_output(file, unit, scene);
   file.reject_unknown_keys();
+  add_warnings(file, scene);
   try {
     validate(setup);
   } catch (const InputError& error) {

@@ -146,7 +146,7 @@ TEST_CASE("A run stopped by a signal says how to go on, and goes on") {
   const fs::path folder = fresh_folder("stop");
   put(folder / "scene.toml", small_scene("10 s"));
   const test::Run stopped =
-      run(folder, "law hertz; " OSCULATE_PROGRAM
+      run(folder, "law hertz > law.txt; " OSCULATE_PROGRAM
                   " run scene.toml --out out >/dev/null 2> said.txt & pid=$!; sleep 1; kill -INT $pid; wait $pid");
   CHECK(stopped.exit_code == 128 + SIGINT);
   CHECK_THAT(content_of(folder / "said.txt"), Catch::Contains("--resume"));
@@ -194,7 +194,7 @@ TEST_CASE("A full disk ends a run with its reason and leaves the frames before i
   put(folder / "scene.toml", small_scene("60 ms"));
   // A limit on the size of files, met by an error and not by a signal: what a full disk does to a program.
   const test::Run full =
-      run(folder, "law hertz; trap '' XFSZ; ulimit -f 160; " OSCULATE_PROGRAM " run scene.toml --out out");
+      run(folder, "law hertz > law.txt; trap '' XFSZ; ulimit -f 160; " OSCULATE_PROGRAM " run scene.toml --out out");
   CHECK(full.exit_code == 2);
   CHECK_THAT(full.err, Catch::Contains("out/") && Catch::Contains("File too large"));
   {

@@ -183,6 +183,20 @@ TEST_CASE("A step between the recommended and the longest is warned about") {
   CHECK_THAT(scene.warnings[0], Catch::Contains("scene.toml:64") && Catch::Contains("recommended"));
 }
 
+TEST_CASE("What is allowed and seldom meant is warned about") {
+  CHECK(read(good).warnings.empty());
+  std::string bare = good;
+  bare.erase(bare.find("[[walls]]"), bare.find("[[insert]]") - bare.find("[[walls]]"));
+  REQUIRE(read(bare).warnings.size() == 1);
+  CHECK_THAT(read(bare).warnings[0], Catch::Contains("falls for ever"));
+  const Scene rare = read(with("interval = \"0.1 ms\"", "interval = \"1 s\""));
+  REQUIRE(rare.warnings.size() == 1);
+  CHECK_THAT(rare.warnings[0], Catch::Contains("scene.toml:65") && Catch::Contains("longer than the run"));
+  const Scene often = read(with("interval = \"0.1 ms\"", "interval = \"1 ns\""));
+  REQUIRE(often.warnings.size() == 1);
+  CHECK_THAT(often.warnings[0], Catch::Contains("every step"));
+}
+
 TEST_CASE("Particles from a table keep their numbers") {
   std::ofstream(put(good).parent_path() / "beads.csv")
       << "x,y,z,qw,qx,qy,qz,wz\n0.01,0.02,0.2,1,0,0,0,5\n-0.01,0.02,0.2,0.6,0,0.8,0,0\n";
