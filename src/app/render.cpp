@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -79,7 +80,8 @@ FrameRange frame_range(const std::string& text, std::size_t frames) {
 double upper_end(std::vector<double>& values) {
   if (values.empty()) return 1.0;
   constexpr double below = 0.995;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(std::ceil(below * static_cast<double>(values.size() - 1)));
   std::ranges::nth_element(values, at);
   const double quantile = *at;
   if (quantile > 0.0) return quantile;

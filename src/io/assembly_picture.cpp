@@ -89,6 +89,22 @@ std::vector<PlacedShape> placed_walls(const ParticleFrame& frame, const ResultsH
   return walls;
 }
 
+/// A drum that is not far larger than what it holds is seen all around.
+Box with_drums(const Box& particles, const std::vector<PlacedShape>& walls) {
+  Box extent = particles;
+  const double size = (particles.upper - particles.lower).norm();
+  for (const PlacedShape& wall : walls) {
+    const auto* drum = std::get_if<Cylinder>(&wall.shape);
+    if (drum == nullptr || drum->solid == Cylinder::Solid::inside || drum->radius > size) continue;
+    const Vec3 axis = wall.pose.rotate_to_world(Vec3::UnitZ());
+    const Vec3 middle = 0.5 * (particles.lower + particles.upper);
+    const Vec3 centre = wall.pose.position + axis * axis.dot(middle - wall.pose.position);
+    const Vec3 reach = drum->radius * (1.0 - axis.array().square()).max(0.0).sqrt().matrix();
+    extent = united(extent, {centre - reach, centre + reach});
+  }
+  return extent;
+}
+
 /// The edges of the box; along an axis that does not repeat it reaches as far as the particles.
 void add_periodic_box(Picture& picture, const PeriodicBox& box, Box edges) {
   if (!box.repeats()) return;
@@ -129,6 +145,7 @@ Box extent_of(const ParticleFrame& frame, const ResultsHead& head) {
     const Vec3 reach = Vec3::Constant(radius[frame.shape[i]]);
     extent = united(extent, {frame.position[i] - reach, frame.position[i] + reach});
   }
+  extent = with_drums(extent, placed_walls(frame, head));
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(head.box.length[axis])) continue;
     extent.lower[axis] = std::min(extent.lower[axis], head.box.origin[axis]);

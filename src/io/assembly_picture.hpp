@@ -25,7 +25,8 @@ struct AssemblyLook {
   int height = 900;
 };
 
-/// A box around all particles of a frame, by their bounding spheres, and around the periodic box where it is finite.
+/// A box around all particles of a frame, by their bounding spheres, around drums that are not far larger,
+/// and around the periodic box where it is finite.
 /// Throws InputError for a frame without particles or with a shape that the results do not have.
 Box extent_of(const ParticleFrame& frame, const ResultsHead& head);
 Box united(const Box& one, const Box& other);

@@ -41,6 +41,21 @@ TEST_CASE("The floor shows as far as the particles reach") {
   for (const Vec3& corner : picture.bodies[0].mesh.vertices) CHECK(std::fabs(corner.z()) < 1e-15);
 }
 
+TEST_CASE("A drum is seen all around unless it is far larger than what it holds") {
+  ResultsHead head = sample_head();
+  const Quat along_y = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+  ParticleFrame frame = sample_frame();
+  frame.walls = {{Vec3(0.04, 0.3, 0.05), along_y}};
+  head.walls = {{"drum", 0, Cylinder{0.06, Cylinder::Solid::outside}}};
+  const Box near = extent_of(frame, head);
+  CHECK(near.lower.z() == Approx(-0.01));
+  CHECK(near.upper.z() == Approx(0.11));
+  head.walls = {{"drum", 0, Cylinder{6.0, Cylinder::Solid::outside}}};
+  const Box far = extent_of(frame, head);
+  CHECK(far.upper.z() < 0.02);
+  CHECK(near.upper.y() == far.upper.y());  // along its axis a drum ends nowhere
+}
+
 TEST_CASE("Kinetic energy has a part of motion and one of rotation") {
   ParticleFrame frame = sample_frame();
   const ResultsHead head = sample_head();
