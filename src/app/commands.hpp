@@ -15,6 +15,15 @@ void add_shape(CLI::App& program);
 /// `law`: the laws of contact, listed, explained, evaluated.
 void add_law(CLI::App& program);
 
+/// `run`: a scene, from a file to results.
+void add_run(CLI::App& program);
+
+/// `check`: a scene without running it.
+void add_check(CLI::App& program);
+
+/// `info`: what is in a results file.
+void add_info(CLI::App& program);
+
 /// `bench`: what a contact costs on this machine.
 void add_bench(CLI::App& program);
 
@@ -23,6 +32,12 @@ void add_review(CLI::App& program);
 
 /// `validate`: independent witnesses against the library.
 void add_validate(CLI::App& program);
+
+/// `export`: results for other programs.
+void add_export(CLI::App& program);
+
+/// `render`: pictures and films of results.
+void add_render(CLI::App& program);
 
 /// `study`: sweeps that show where a model holds.
 void add_study(CLI::App& program);

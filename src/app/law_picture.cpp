@@ -149,7 +149,7 @@ io::Plot law_plot(const LawDescription& law, const io::NumberTable& numbers, con
       break;
     case LawSlot::rolling:
       draw("tangential force", {"tangential_x", "tangential_y"});
-      draw("couple about the normal", {"couple"});
+      if (largest(*numbers.find("couple")) > 0.0) draw("couple about the normal", {"couple"});
       break;
     case LawSlot::twisting:
       draw("couple about the normal", {"couple"});

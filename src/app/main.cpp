@@ -21,9 +21,13 @@ constexpr const char* first_steps =
   osculate contact examples/contacts/two-ellipsoids.toml   two shapes, poses and materials: their contact in full
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
   osculate law mindlin --set friction=0.3 --picture loop.png   a law of contact, along a cycle of slip
+  osculate run examples/scenes/settling-box.toml           a scene: particles, walls, laws; results as HDF5 and CSV
+  osculate render results.h5 --animation run.mp4           pictures and a film of a simulation, without a display
+  osculate export results.h5 --paraview run.pvd            its particles for ParaView, or OVITO
   osculate review --html review                            the review's tables and figures anew, on one page
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
+  osculate validate impact                                 single impacts through the engine, against closed forms
   osculate study halfspace                                 where two radii of curvature are not enough
   osculate study curvature                                 what one radius a body costs
   osculate bench narrow                                    what a contact costs on this machine
@@ -40,6 +44,11 @@ int run(int argc, char** argv) {
   osculate::app::add_contact(program);
   osculate::app::add_shape(program);
   osculate::app::add_law(program);
+  osculate::app::add_run(program);
+  osculate::app::add_check(program);
+  osculate::app::add_info(program);
+  osculate::app::add_render(program);
+  osculate::app::add_export(program);
   osculate::app::add_review(program);
   osculate::app::add_validate(program);
   osculate::app::add_study(program);

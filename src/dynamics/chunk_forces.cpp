@@ -34,15 +34,15 @@ void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap)
 }
 
 /// Energy that a contact's normal spring gained since the last step because its coefficient changed: the bodies touch
-/// where they are curved otherwise. No force took it from the motion.
+/// where they are curved otherwise. No force took it from the motion. Only of springs that go with a power of the
+/// overlap, from linear to quadratic.
 double curvature_gain(NormalSpring& spring, double overlap, double stored, double stiffness) {
-  constexpr double hertz = 1.5, same = 1e-9;
+  constexpr double hertz = 1.5, same = 1e-9, least = 1.0 - same, most = 2.0;
   const NormalSpring before = spring;
-  if (!(overlap > 0.0) || !(stored > 0.0) || !(stiffness > 0.0)) {
-    spring = {0.0, 0.0};
-    return 0.0;
-  }
+  spring = {0.0, 0.0};
+  if (!(overlap > 0.0) || !(stored > 0.0) || !(stiffness > 0.0)) return 0.0;
   const double p = elastic_power(overlap, stored, stiffness);
+  if (!(p >= least && p <= most)) return 0.0;
   const auto energy_shape = [p](double depth) {
     return std::fabs(p - hertz) < same ? depth * depth * std::sqrt(depth) : std::pow(depth, p + 1.0);
   };
@@ -74,7 +74,7 @@ class ChunkStep {
     for (Index row = 0; row < scratch_.awake.size(); ++row) {
       const Index k = index_of(scratch_.awake[row]);
       scratch_.pairs.push_back(chunk_.far[k].bodies);
-      scratch_.caches.set(row, chunk_.far_caches[k]);
+      scratch_.caches.set(row, chunk_.far_caches[k].cache());
     }
     solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip);
     // From behind, since a pair that leaves is replaced by the last one.
@@ -195,7 +195,7 @@ void ChunkStep::sort_out(Index row) {
     chunk_.far_caches.pop_back();
     return;
   }
-  chunk_.far_caches[k] = cache;
+  chunk_.far_caches[k] = FarCache(cache);
   const double size = std::min(shape(far.bodies.first).bounding_radius, shape(far.bodies.second).bounding_radius);
   far.quiet_until = travel(far.bodies.first) + travel(far.bodies.second) - overlap - reach_ - safety * size;
 }
@@ -356,7 +356,7 @@ void ChunkStep::collect_forces() {
     }
     const double stored = out[answer::stored_normal][i], stiffness = out[answer::stiffness][i];
     stored_normal += stored;
-    gain += curvature_gain(contacts.spring[i], overlap, stored, stiffness);
+    if (reach_ == 0.0) gain += curvature_gain(contacts.spring[i], overlap, stored, stiffness);
     stored_tangential += out[answer::stored_tangential][i];
     const double stiffest = stiffness / contacts.reduced_mass[i];
     most = std::max(most, stiffest);
@@ -390,7 +390,7 @@ void ChunkStep::collect_forces() {
     const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
     const double gap = -found.columns[geometry::overlap][i] - reach_ - safety * size_of_pair;
     chunk_.far.push_back({pair, travel(pair.first) + travel(pair.second) + gap});
-    chunk_.far_caches.push_back(contacts.caches.get(i));
+    chunk_.far_caches.emplace_back(contacts.caches.get(i));
     remove_contact(contacts, i, law_);
   }
 }

@@ -100,7 +100,7 @@ FlatPairs flat(const PairList& list) {
       all.far.push_back(chunk.far[i].bodies);
       all.far_quiet.push_back(chunk.far[i].quiet_until);
       all.far_state.push_back(static_cast<std::int32_t>(chunk.far_caches[i].state));
-      all.far_cache.push_back(numbers_of(chunk.far_caches[i]));
+      all.far_cache.push_back(numbers_of(chunk.far_caches[i].cache()));
     }
     append(all.contacts, contacts.bodies);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -184,7 +184,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
     for (std::uint64_t i = 0; i < header.far; ++i) {
       chunk.far.push_back({far(), far_quiet()});
-      chunk.far_caches.push_back(cache_of(far_cache(), far_state()));
+      chunk.far_caches.emplace_back(cache_of(far_cache(), far_state()));
       require_place(chunk.far.back().bodies, chunk);
     }
     for (std::uint64_t i = 0; i < header.contacts; ++i) {
@@ -195,6 +195,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
       if (law.makes_couples()) chunk.contacts.couple.back() = couple();
     }
     for (MemoryLine& line : chunk.contacts.memory) line = memory();
+    drop_spare_room(chunk);
   }
   bodies.finish(), far.finish(), contact.finish(), memory.finish(), force.finish(), couple.finish();
 }

@@ -130,7 +130,6 @@ std::vector<BodyPair> touching_balls(std::span<const Ball> balls, const Periodic
       });
     }
   }
-  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

@@ -1,6 +1,7 @@
 #include "dynamics/pair_chunk.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace osculate {
 namespace {
@@ -72,9 +73,11 @@ void drop_spare_room(PairChunk& chunk) {
   fit(chunk.far, chunk.far.size());
   fit(chunk.far_caches, chunk.far.size());
   fit(chunk.bodies, chunk.bodies.size());
-  contacts.caches = ContactCaches(contacts.caches);
-  contacts.caches.resize(room);
-  contacts.caches.resize(size);
+  ContactCaches caches;
+  caches.resize(room);
+  for (std::size_t i = 0; i < size; ++i) caches.set(i, contacts.caches.get(i));
+  caches.resize(size);
+  contacts.caches = std::move(caches);
   fit(contacts.bodies, room);
   fit(contacts.memory, contacts.memory.size() * room / std::max<std::size_t>(size, 1));
   fit(contacts.reduced_mass, room);

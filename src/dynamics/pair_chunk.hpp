@@ -41,6 +41,21 @@ struct FarPair {
   double quiet_until;  ///< it cannot touch before both travels add up to this [m]
 };
 
+/// A cache without the curvatures of its points: they do not keep while the bodies are apart.
+struct FarCache {
+  ContactCache::State state = ContactCache::State::empty;
+  Vec3 point_1 = Vec3::Zero(), normal_1 = Vec3::Zero(), point_2 = Vec3::Zero(), normal_2 = Vec3::Zero();
+
+  FarCache() = default;
+  explicit FarCache(const ContactCache& cache)
+      : state(cache.state),
+        point_1(cache.point_1),
+        normal_1(cache.normal_1),
+        point_2(cache.point_2),
+        normal_2(cache.normal_2) {}
+  ContactCache cache() const { return {state, point_1, normal_1, point_2, normal_2}; }
+};
+
 /// A contact's normal spring at the last step: its energy is coefficient · overlap^(p + 1).
 struct NormalSpring {
   double overlap;      ///< [m]; 0 before the first step
@@ -78,7 +93,7 @@ struct PairChunk {
 
   PairGroup group;
   std::vector<FarPair> far;
-  std::vector<ContactCache> far_caches;  ///< one for each: looked at when it wakes
+  std::vector<FarCache> far_caches;  ///< one for each: looked at when it wakes
   Contacts contacts;
 
   /// The chunk's bodies; pairs know them by their place here.

@@ -176,7 +176,7 @@ PairList make_pair_list(PairList&& before, const World& world, const Bodies& bod
     const Index one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
     const double reach = world.reach[index_of(candidate.group.law)];
     FarPair far{candidate.pair, sphere_gap(world, bodies, one, two) - reach};
-    ContactCache cache;
+    FarCache cache;
     if (is_known) {
       const FarPair& was = known->chunk->far[index_of(known->far)];
       cache = known->chunk->far_caches[index_of(known->far)];

@@ -2,53 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "io/material_presets.hpp"
+#include "io/body_keys.hpp"
 #include "io/shape_file.hpp"
 #include "io/toml_reader.hpp"
 
 namespace osculate::io {
 namespace {
 
-// Softer than any gel that keeps its form, stiffer than diamond: outside, a unit was forgotten.
-const Range plausible_modulus{
-    .lower = 1e3, .upper = 2e12, .hint = " (a modulus without a unit is in Pa; write \"70 GPa\")"};
 // Centres this many bounding radii apart are no contact to analyse but a slip of the unit.
 constexpr double implausible_distance = 1000.0;
 
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const MaterialPreset& preset : material_presets) names.emplace_back(preset.name);
-  return names;
-}
-
 void read_material(const TomlTable& table, ContactFileBody& body) {
   if (!table.is_table("material")) {
-    body.material_name = table.choice("material", preset_names());
-    body.material = std::find_if(material_presets.begin(), material_presets.end(), [&](const MaterialPreset& preset) {
-                      return preset.name == body.material_name;
-                    })->material;
+    body.material_name = table.text("material");
+    body.material = read_preset(table, "material");
     return;
   }
   const TomlTable material = table.table("material");
-  body.material.youngs_modulus = material.quantity("youngs_modulus", pressure(), plausible_modulus);
-  body.material.poissons_ratio = material.number("poissons_ratio", Range::above(-1.0, 0.5));
+  body.material = read_elastic_constants(material);
   material.reject_unknown_keys();
-}
-
-Quat read_orientation(const TomlTable& table) {
-  if (!table.has("orientation")) return Quat::Identity();
-  if (!table.is_table("orientation")) return table.quaternion("orientation");
-  const TomlTable turn = table.table("orientation");
-  const Vec3 axis = turn.vector("axis");
-  if (!(axis.norm() > 0.0)) throw turn.error("axis", "a vector of length 0", "a direction");
-  const double angle_value = turn.quantity("angle", angle(), Range::any(), "deg");
-  turn.reject_unknown_keys();
-  return Quat(Eigen::AngleAxisd(angle_value, axis.normalized()));
 }
 
 ContactFileBody read_body(const TomlTable& table, std::string_view length_unit) {

@@ -130,6 +130,7 @@ struct JournaledFile {
   std::string path;
   int file = -1;
   bool writable = false;
+  bool given_up = false;   ///< after the file system refused
   haddr_t allocated = 0;   ///< HDF5's end of the addresses in use
   std::uint64_t size = 0;  ///< of the file as last committed
   std::uint64_t end = 0;   ///< of the file with what is pending
@@ -165,6 +166,14 @@ struct JournaledFile {
       count -= part;
     }
     return true;
+  }
+
+  /// HDF5 does not survive a file that it cannot close. After a refusal nothing more is written, so that closing works
+  /// and the file stays as it was committed.
+  bool flush() {
+    if (!writable || given_up) return true;
+    given_up = !commit();
+    return !given_up;
   }
 
   /// Pages that begin beyond the file as it was go straight to it; the others by the journal.
@@ -262,7 +271,7 @@ H5FD_class_t driver_class() {
   driver.write = [](H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t count, const void* bytes) {
     return as_status(of(file).write(at, count, static_cast<const char*>(bytes)));
   };
-  driver.flush = [](H5FD_t* file, hid_t, hbool_t) { return as_status(!of(file).writable || of(file).commit()); };
+  driver.flush = [](H5FD_t* file, hid_t, hbool_t) { return as_status(of(file).flush()); };
   const H5FD_mem_t one_list[H5FD_MEM_NTYPES] = {H5FD_MEM_SUPER, H5FD_MEM_SUPER, H5FD_MEM_SUPER, H5FD_MEM_SUPER,
                                                 H5FD_MEM_SUPER, H5FD_MEM_SUPER, H5FD_MEM_SUPER};
   std::copy(std::begin(one_list), std::end(one_list), std::begin(driver.fl_map));

@@ -6,6 +6,7 @@
 // nobody looks yet; then it writes the changed pages of the older part into a journal beside the file, with a checksum,
 // and only when that is on the disk into the file itself; then it removes the journal. A whole journal found later is
 // applied, one that ends early is dropped: the file was not yet touched.
+// After the first flush that the file system refuses nothing more is written: the file stays as it was before.
 // The file is plain HDF5. No lock is taken: others may read it meanwhile, and see the frames that were there when they
 // opened it.
 

@@ -31,6 +31,14 @@ struct PictureBody {
   double opacity = 1.0;              ///< in (0, 1]; translucent bodies show their front only
 };
 
+/// Many opaque bodies of one form; `scalars` as for a body, but one a body.
+struct PictureSwarm {
+  TriangleMesh mesh = {};
+  std::vector<Pose> poses = {};
+  std::vector<Colour> colours = {};  ///< one a body, or none where there are scalars
+  std::vector<double> scalars = {};
+};
+
 /// World frame [m]; widths and diameters in pixels of the picture.
 struct PictureLine {
   std::vector<Vec3> points = {};
@@ -76,12 +84,14 @@ struct PictureView {
   Vec3 up = Vec3::UnitZ();
   std::optional<Vec3> centre = {};         ///< [m], drawn in the middle
   std::optional<double> half_height = {};  ///< of the part of the world that fills the free height [m]
+  std::vector<Vec3> shows = {};            ///< points that shall fit instead of the bodies [m]
 };
 
 struct Picture {
   std::string title = {};
   std::vector<std::string> notes = {};  ///< lines below the title
   std::vector<PictureBody> bodies = {};
+  std::vector<PictureSwarm> swarms = {};
   std::vector<PictureLine> lines = {};
   std::vector<PictureArrow> arrows = {};
   std::vector<PicturePoint> points = {};
@@ -90,6 +100,7 @@ struct Picture {
   PictureView view = {};
   int width = 1200;  ///< [px]
   int height = 900;
+  double shade_radius = 0.0;  ///< how far bodies darken the gaps between them [m]; 0: not at all
 };
 
 /// Throws InputError if there is no body to show, a body with scalars but no colour bar, a size outside 200 to 5000 px,

@@ -153,12 +153,14 @@ void draw_scale_bar(Drawing& drawing, const Picture& picture, const Projection& 
 void draw_colour_bar(Drawing& drawing, const Picture& picture, const ColourBar& bar) {
   bool below = false, above = false;
   const double span = bar.upper - bar.lower;
-  for (const PictureBody& body : picture.bodies) {
-    for (const double value : body.scalars) {
+  const auto look = [&](const std::vector<double>& scalars) {
+    for (const double value : scalars) {
       below = below || value < bar.lower - 1e-6 * span;
       above = above || value > bar.upper + 1e-6 * span;
     }
-  }
+  };
+  for (const PictureBody& body : picture.bodies) look(body.scalars);
+  for (const PictureSwarm& swarm : picture.swarms) look(swarm.scalars);
   const Frame frame = free_frame(picture);
   const double x = picture.width - margin - bar_room + 60.0, height = 0.78 * frame.height;
   const double top = frame.top + 0.5 * (frame.height - height) + 14.0, bottom = top + height;

@@ -6,17 +6,21 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
+
+#include "io/ambient_occlusion.hpp"
 
 namespace osculate::io {
 namespace {
 
 constexpr int samples = 3;  // along each side of a pixel
 
-// Pixels to clip space; z is clipped at ±depth.
+// Body to pixels by the model matrix, pixels to clip space; z is clipped at ±depth.
 constexpr const char* vertex_shader = R"(
 #version 120
 uniform vec2 size;
@@ -24,9 +28,10 @@ uniform float depth;
 varying vec3 normal;
 varying vec4 colour;
 void main() {
-  normal = gl_Normal;
+  normal = mat3(gl_ModelViewMatrix) * gl_Normal;
   colour = gl_Color;
-  gl_Position = vec4(2.0 * gl_Vertex.x / size.x - 1.0, 2.0 * gl_Vertex.y / size.y - 1.0, -gl_Vertex.z / depth, 1.0);
+  vec3 at = (gl_ModelViewMatrix * gl_Vertex).xyz;
+  gl_Position = vec4(2.0 * at.x / size.x - 1.0, 2.0 * at.y / size.y - 1.0, -at.z / depth, 1.0);
 }
 )";
 
@@ -76,19 +81,94 @@ void draw(const PictureTriangles& triangles) {
                  triangles.triangles.front().data());
 }
 
+/// A mesh as OpenGL takes it.
+struct FloatMesh {
+  std::vector<std::array<float, 6>> vertices;  ///< position, normal
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+FloatMesh float_mesh(const TriangleMesh& mesh) {
+  FloatMesh result;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Eigen::Vector3f x = mesh.vertices[i].cast<float>(), n = mesh.normals[i].cast<float>();
+    result.vertices.push_back({x.x(), x.y(), x.z(), n.x(), n.y(), n.z()});
+  }
+  for (const auto& t : mesh.triangles) {
+    result.triangles.push_back(
+        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+  }
+  return result;
+}
+
+/// Leaves the model matrix as it was: the identity.
+void draw(const RenderSwarm& swarm) {
+  if (swarm.instances.empty()) return;
+  const FloatMesh mesh = float_mesh(swarm.mesh);
+  constexpr auto stride = static_cast<GLsizei>(sizeof(mesh.vertices.front()));
+  glDisableClientState(GL_COLOR_ARRAY);
+  glVertexPointer(3, GL_FLOAT, stride, mesh.vertices.front().data());
+  glNormalPointer(GL_FLOAT, stride, mesh.vertices.front().data() + 3);
+  // Compiled once: the vertices are not read again for every instance.
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangles.size()), GL_UNSIGNED_INT,
+                 mesh.triangles.front().data());
+  glEndList();
+  glMatrixMode(GL_MODELVIEW);
+  for (const RenderInstance& instance : swarm.instances) {
+    Eigen::Matrix4d to_picture = Eigen::Matrix4d::Identity();
+    to_picture.topLeftCorner<3, 3>() = swarm.scale * instance.rotation;
+    to_picture.topRightCorner<3, 1>() = instance.position;
+    glLoadMatrixd(to_picture.data());
+    glColor3d(instance.colour.red, instance.colour.green, instance.colour.blue);
+    glCallList(list);
+  }
+  glLoadIdentity();
+  glDeleteLists(list, 1);
+  glEnableClientState(GL_COLOR_ARRAY);
+}
+
 double largest_depth(const RenderScene& scene) {
   double largest = 1.0;
   for (const auto* part : {&scene.opaque, &scene.translucent, &scene.on_top}) {
     for (const auto& vertex : part->vertices) largest = std::max<double>(largest, std::fabs(vertex.position[2]));
   }
+  for (const RenderSwarm& swarm : scene.swarms) {
+    double reach = 0.0;
+    for (const Vec3& vertex : swarm.mesh.vertices) reach = std::max(reach, swarm.scale * vertex.norm());
+    for (const RenderInstance& instance : swarm.instances) {
+      largest = std::max(largest, std::fabs(instance.position.z()) + reach);
+    }
+  }
   return 1.01 * largest;
 }
 
-void draw_scene(const RenderScene& scene, int width, int height) {
+/// What is nearest in the middle of every pixel.
+DepthMap depth_map(const RenderScene& scene, double depth) {
+  const int width = samples * scene.width, height = samples * scene.height;
+  std::vector<float> fine(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, fine.data());
+  DepthMap map{scene.width, scene.height, {}};
+  map.depth.reserve(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+  for (int y = 0; y < scene.height; ++y) {
+    const int row = height - 1 - (samples * y + samples / 2);
+    for (int x = 0; x < scene.width; ++x) {
+      const float value = fine[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(samples * x + samples / 2)];
+      map.depth.push_back(value < 1.0F ? static_cast<float>((1.0 - 2.0 * value) * depth)
+                                       : -std::numeric_limits<float>::infinity());
+    }
+  }
+  return map;
+}
+
+/// Leaves the depths of the opaque things for the shade in their gaps.
+DepthMap draw_scene(const RenderScene& scene, int width, int height) {
   const GLuint program = compile_shaders();
   glUseProgram(program);
+  const double depth = largest_depth(scene);
   glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(scene.width), static_cast<float>(scene.height));
-  glUniform1f(glGetUniformLocation(program, "depth"), static_cast<float>(largest_depth(scene)));
+  glUniform1f(glGetUniformLocation(program, "depth"), static_cast<float>(depth));
   glViewport(0, 0, width, height);
   glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -99,6 +179,8 @@ void draw_scene(const RenderScene& scene, int width, int height) {
   glEnable(GL_CULL_FACE);
 
   draw(scene.opaque);
+  for (const RenderSwarm& swarm : scene.swarms) draw(swarm);
+  const DepthMap depths = scene.shade_radius > 0.0 ? depth_map(scene, depth) : DepthMap{};
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -108,6 +190,16 @@ void draw_scene(const RenderScene& scene, int width, int height) {
   glClear(GL_DEPTH_BUFFER_BIT);
   draw(scene.on_top);
   glFinish();
+  return depths;
+}
+
+void shade(Image& image, const std::vector<float>& sky) {
+  for (std::size_t i = 0; i < sky.size(); ++i) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      std::uint8_t& value = image.pixels[3 * i + channel];
+      value = static_cast<std::uint8_t>(std::lround(sky[i] * static_cast<float>(value)));
+    }
+  }
 }
 
 /// OpenGL's rows run from the bottom, four bytes a sample.
@@ -144,8 +236,10 @@ Image render(const RenderScene& scene) {
   if (!context || OSMesaMakeCurrent(context.get(), fine.data(), GL_UNSIGNED_BYTE, width, height) != GL_TRUE) {
     throw std::runtime_error("the software renderer cannot start");
   }
-  draw_scene(scene, width, height);
-  return average(fine, scene.width, scene.height);
+  const DepthMap depths = draw_scene(scene, width, height);
+  Image image = average(fine, scene.width, scene.height);
+  if (scene.shade_radius > 0.0) shade(image, seen_sky(depths, scene.shade_radius));
+  return image;
 }
 
 }  // namespace osculate::io

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/colour.hpp"
 #include "io/picture_triangles.hpp"
+#include "osculate/shapes/mesh.hpp"
 
 namespace osculate::io {
 
@@ -15,13 +17,29 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
+/// One of many equal bodies.
+struct RenderInstance {
+  Mat3 rotation;  ///< body → picture
+  Vec3 position;  ///< of the body's origin [px]
+  Colour colour;
+};
+
+/// A mesh drawn once for each instance.
+struct RenderSwarm {
+  TriangleMesh mesh;  ///< [m]
+  double scale;       ///< [px/m]
+  std::vector<RenderInstance> instances;
+};
+
 /// Drawn in this order on white.
 struct RenderScene {
   PictureTriangles opaque;
+  std::vector<RenderSwarm> swarms = {};
   PictureTriangles translucent;  ///< sorted by depth; fronts only
   PictureTriangles on_top;       ///< over everything before
   int width;
   int height;
+  double shade_radius = 0.0;  ///< of the shade in gaps between opaque things [px]; 0: none
 };
 
 /// Shades every pixel of three by three in each of the picture and averages them.

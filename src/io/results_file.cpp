@@ -130,16 +130,7 @@ ContactFrame ResultsFile::contacts(std::size_t i) const {
 }
 
 NumberTable ResultsFile::series() const {
-  return at_file(file_->path, [&] {
-    NumberTable table;
-    for (const std::string& name : read_series_names(file_->handle)) {
-      table.names.push_back(name);
-      table.columns.push_back(read_rows(file_->handle, "series/" + name, 1).values);
-      if (table.columns.back().size() != table.columns.front().size())
-        throw std::runtime_error("columns of different length in series");
-    }
-    return table;
-  });
+  return at_file(file_->path, [&] { return read_series(file_->handle); });
 }
 
 }  // namespace osculate::io

@@ -169,6 +169,17 @@ ResultsHead read_head(hid_t file) {
   return head;
 }
 
+NumberTable read_series(hid_t file) {
+  NumberTable table;
+  for (const std::string& name : read_series_names(file)) {
+    table.names.push_back(name);
+    table.columns.push_back(read_rows(file, "series/" + name, 1).values);
+    if (table.columns.back().size() != table.columns.front().size())
+      throw std::runtime_error("columns of different length in series");
+  }
+  return table;
+}
+
 std::size_t read_frame_count(hid_t file) {
   return static_cast<std::size_t>(read_count(open_group(file, "frames"), "count"));
 }

@@ -19,6 +19,8 @@ ResultsHead read_head(hid_t file);
 void write_series_names(hid_t file, const std::vector<std::string>& names);
 std::vector<std::string> read_series_names(hid_t file);
 
+NumberTable read_series(hid_t file);
+
 /// Frames are counted by an attribute of /frames that is written after all of a frame.
 std::size_t read_frame_count(hid_t file);
 

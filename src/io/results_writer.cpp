@@ -12,6 +12,7 @@ struct ResultsWriter::File {
   std::filesystem::path path;
   Hdf5Handle handle;
   std::vector<std::string> series;
+  bool refused = false;  ///< by the file system, once: what came after would be lost
 };
 
 namespace {
@@ -122,8 +123,31 @@ ResultsWriter::~ResultsWriter() {
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it changes the file.
+void ResultsWriter::add_rows(const NumberTable& rows) {
+  for (const std::string& name : file_->series) {
+    const std::vector<double>* column = rows.find(name);
+    if (column == nullptr) throw std::runtime_error("no column " + name + " in the series");
+    append_to_column(file_->handle, "series/" + name, *column);
+  }
+}
+
+void ResultsWriter::append_series(const NumberTable& rows) {
+  at_file(file_->path, [&] {
+    add_rows(rows);
+    commit();
+  });
+  rows_ += rows.rows();
+}
+
+NumberTable ResultsWriter::series() const {
+  return at_file(file_->path, [&] { return read_series(file_->handle); });
+}
+
 void ResultsWriter::commit() {
-  require_hdf5(H5Fflush(file_->handle, H5F_SCOPE_GLOBAL), "write to the disk");
+  if (file_->refused) throw std::runtime_error("a file that could not be written to before");
+  file_->refused = H5Fflush(file_->handle, H5F_SCOPE_GLOBAL) < 0;
+  if (file_->refused) throw std::runtime_error("a file that cannot be written to");
 }
 
 void ResultsWriter::append(const ParticleFrame& frame, const std::optional<ContactFrame>& contacts,
@@ -132,11 +156,7 @@ void ResultsWriter::append(const ParticleFrame& frame, const std::optional<Conta
     const hid_t file = file_->handle;
     write_frame(file, frame_path(frames_), frame);
     if (contacts) write_contacts(file, frame_path(frames_) + "/contacts", *contacts);
-    for (const std::string& name : file_->series) {
-      const std::vector<double>* column = series_rows.find(name);
-      if (column == nullptr) throw std::runtime_error("no column " + name + " in the series");
-      append_to_column(file, "series/" + name, *column);
-    }
+    add_rows(series_rows);
     set_frame_count(file, frames_ + 1);
     commit();
   });

@@ -23,11 +23,18 @@ class ResultsWriter {
   /// system gives, if they are not; the file then ends with the frame before.
   void append(const ParticleFrame& frame, const std::optional<ContactFrame>& contacts, const NumberTable& series_rows);
 
+  /// Appends rows of the series alone, as safely.
+  void append_series(const NumberTable& rows);
+
+  /// The rows so far.
+  NumberTable series() const;
+
   std::size_t frames() const { return frames_; }
   std::size_t rows() const { return rows_; }
 
  private:
   struct File;
+  void add_rows(const NumberTable& rows);
   void commit();
 
   std::unique_ptr<File> file_;

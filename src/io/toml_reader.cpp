@@ -194,6 +194,14 @@ int TomlTable::integer(std::string_view key, int lower, int upper) const {
   return static_cast<int>(value->get());
 }
 
+bool TomlTable::flag(std::string_view key) const {
+  if (!has(key)) return false;
+  const Place place = content_->require(key, "true or false");
+  const auto* value = place.node->as_boolean();
+  if (value == nullptr) throw error_at(place, describe(*place.node), "true or false");
+  return value->get();
+}
+
 std::string TomlTable::text(std::string_view key) const {
   const Place place = content_->require(key, "a string");
   const auto* value = place.node->as_string();
@@ -243,6 +251,17 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, 
   std::vector<double> values;
   for (const Place& place : elements(content_->require(key, expected), count, expected)) {
     values.push_back(ranged(place, number_at(place), range, ""));
+  }
+  return values;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  std::vector<std::string> values;
+  for (const Place& place :
+       elements(content_->require(key, "an array of strings"), std::nullopt, "an array of strings")) {
+    const auto* value = place.node->as_string();
+    if (value == nullptr) throw error_at(place, describe(*place.node), "a string");
+    values.push_back(value->get());
   }
   return values;
 }

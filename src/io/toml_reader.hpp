@@ -51,6 +51,8 @@ class TomlTable {
   double number(std::string_view key, const Range& range = Range::any()) const;
   double number_or(std::string_view key, double otherwise, const Range& range = Range::any()) const;
   int integer(std::string_view key, int lower, int upper) const;
+  /// true or false; false where the key is missing.
+  bool flag(std::string_view key) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string_view otherwise) const;
   /// A string out of a closed list.
@@ -65,6 +67,8 @@ class TomlTable {
   Vec3 vector(std::string_view key, const Range& range = Range::any()) const;
   /// Exactly `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count, const Range& range = Range::any()) const;
+  /// Any number of strings.
+  std::vector<std::string> texts(std::string_view key) const;
   /// Any number of rows of exactly `columns` numbers.
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns) const;
   /// [w, x, y, z], a unit quaternion within 1e-6; returned normalised.

@@ -38,12 +38,13 @@ const Dimension& density() {
 }
 
 const Dimension& velocity() {
-  static const Dimension dimension{"velocity", {{"m/s", 1.0}, {"mm/s", 1e-3}}};
+  static const Dimension dimension{"velocity", {{"m/s", 1.0}, {"cm/s", 1e-2}, {"mm/s", 1e-3}}};
   return dimension;
 }
 
 const Dimension& angular_velocity() {
-  static const Dimension dimension{"angular velocity", {{"rad/s", 1.0}, {"deg/s", std::numbers::pi / 180.0}}};
+  static const Dimension dimension{
+      "angular velocity", {{"rad/s", 1.0}, {"deg/s", std::numbers::pi / 180.0}, {"rpm", std::numbers::pi / 30.0}}};
   return dimension;
 }
 
@@ -53,18 +54,30 @@ const Dimension& angle() {
   return dimension;
 }
 
+const Dimension& acceleration() {
+  static const Dimension dimension{"acceleration", {{"m/s2", 1.0}, {"m/s²", 1.0}, {"m/s^2", 1.0}}};
+  return dimension;
+}
+
+const Dimension& frequency() {
+  static const Dimension dimension{"frequency", {{"Hz", 1.0}, {"kHz", 1e3}, {"rpm", 1.0 / 60.0}}};
+  return dimension;
+}
+
 const Dimension& force() {
   static const Dimension dimension{"force", {{"N", 1.0}, {"kN", 1e3}, {"mN", 1e-3}, {"uN", 1e-6}, {"µN", 1e-6}}};
   return dimension;
 }
 
 const Dimension& duration() {
-  static const Dimension dimension{"duration", {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}}};
+  static const Dimension dimension{"duration", {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"ns", 1e-9}}};
   return dimension;
 }
 
 const Dimension& surface_energy() {
-  static const Dimension dimension{"surface energy", {{"J/m2", 1.0}, {"J/m²", 1.0}, {"mJ/m2", 1e-3}, {"mJ/m²", 1e-3}}};
+  static const Dimension dimension{
+      "surface energy",
+      {{"J/m2", 1.0}, {"J/m²", 1.0}, {"J/m^2", 1.0}, {"mJ/m2", 1e-3}, {"mJ/m²", 1e-3}, {"mJ/m^2", 1e-3}}};
   return dimension;
 }
 

@@ -27,11 +27,13 @@ struct Dimension {
 const Dimension& length();            ///< m, cm, mm, um, µm, nm, in
 const Dimension& pressure();          ///< Pa, kPa, MPa, GPa
 const Dimension& density();           ///< kg/m3, g/cm3
-const Dimension& velocity();          ///< m/s, mm/s
-const Dimension& angular_velocity();  ///< rad/s, deg/s
+const Dimension& velocity();          ///< m/s, cm/s, mm/s
+const Dimension& angular_velocity();  ///< rad/s, deg/s, rpm
 const Dimension& angle();             ///< rad, deg
+const Dimension& acceleration();      ///< m/s2
+const Dimension& frequency();         ///< Hz, kHz, rpm
 const Dimension& force();             ///< N, kN, mN, uN
-const Dimension& duration();          ///< s, ms, us
+const Dimension& duration();          ///< s, ms, us, ns
 const Dimension& surface_energy();    ///< J/m2, mJ/m2
 
 /// The unit out of m, mm, µm and nm in which a length reads as 0.5 to 500.

@@ -43,7 +43,7 @@ struct EnergyLedger {
   double hysteresis_loss;
   double curvature_gain;  ///< of normal springs whose stiffness changed because the bodies touched where they are
                           ///< curved otherwise: no force takes this energy from the motion. Small; 0 for spheres
-  double driven_work;  ///< that driven bodies did on the others
+  double driven_work;     ///< that driven bodies did on the others
 
   double mechanical() const { return kinetic + rotational + gravity + stored_normal + stored_tangential; }
   double lost() const { return viscous_loss + friction_loss + hysteresis_loss; }

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/scene_run.hpp"
+#include "io/quantity_text.hpp"
+#include "io/scene.hpp"
+#include "io/table.hpp"
+#include "osculate/core/error.hpp"
+#include "osculate/dynamics/measures.hpp"
+
+namespace osculate::app {
+namespace {
+
+constexpr const char* help =
+    R"(A scene file says what there is (materials and their laws, particles, walls), how long it goes on and what is kept;
+docs/scene-files.md explains its keys, examples/scenes has some to start from.
+
+  osculate check examples/scenes/settling-box.toml      what it would do
+  osculate run examples/scenes/settling-box.toml        do it: results in ./settling-box
+  osculate run examples/scenes/settling-box.toml --resume   go on after a stop, a crash or a power cut
+
+Into the folder go results.h5 (frames and series; docs/results-files.md), series.csv and two checkpoints. Ctrl-C stops
+with a checkpoint. A resumed run gives the same numbers, bit by bit, as one that was never stopped; so does any number
+of threads.)";
+
+// A signal handler can reach nothing else.
+std::atomic<int> stop_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+/// While it lives, SIGINT and SIGTERM ask for a stop; a second one kills.
+class StopOnSignal {
+ public:
+  StopOnSignal() {
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { stop_signal = signal; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, &old_interrupt_);
+    sigaction(SIGTERM, &action, &old_terminate_);
+  }
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+  ~StopOnSignal() {
+    sigaction(SIGINT, &old_interrupt_, nullptr);
+    sigaction(SIGTERM, &old_terminate_, nullptr);
+  }
+
+ private:
+  struct sigaction old_interrupt_ {
+  }, old_terminate_{};
+};
+
+struct Options {
+  std::string scene, folder;
+  int threads = 0;
+  bool resume = false, overwrite = false;
+};
+
+void print_summary(const Simulation& simulation, std::uint64_t steps, double seconds) {
+  const EnergyLedger energy = simulation.energy();
+  const Connectivity net = connectivity(simulation);
+  const auto joule = [](double value) { return io::quantity_text(value, "J"); };
+  fmt::print("{}",
+             io::to_text(std::vector<io::Property>{
+                 {"time", io::quantity_text(simulation.time(), "s")},
+                 {"steps", fmt::format("{}", simulation.steps())},
+                 {"computing", fmt::format("{} for {} steps: {:.3g} µs per particle-step", clock_text(seconds), steps,
+                                           1e6 * seconds / static_cast<double>(std::max<std::uint64_t>(steps, 1)) /
+                                               static_cast<double>(net.particles))},
+                 {"particles", fmt::format("{}", net.particles)},
+                 {"contacts", fmt::format("{}   {:.3g} a particle with walls, {:.3g} without", net.contacts,
+                                          net.coordination, net.particle_coordination)},
+             }));
+  const io::Table ledger{{"energy", "J"},
+                         {{"kinetic", joule(energy.kinetic)},
+                          {"rotational", joule(energy.rotational)},
+                          {"gravity", joule(energy.gravity)},
+                          {"stored along normals", joule(energy.stored_normal)},
+                          {"stored in friction and rolling springs", joule(energy.stored_tangential)},
+                          {"lost to viscosity", joule(energy.viscous_loss)},
+                          {"lost to friction", joule(energy.friction_loss)},
+                          {"lost to hysteresis", joule(energy.hysteresis_loss)},
+                          {"less the work of driven bodies", joule(-energy.driven_work)},
+                          {"less what springs gained by curvature", joule(-energy.curvature_gain)},
+                          {"sum, constant but for the time step", joule(energy.balance())}},
+                         1};
+  fmt::print("\n{}", io::to_text(ledger));
+}
+
+void run(const Options& options) {
+  const StopOnSignal signals;
+  io::Scene scene = io::read_scene(options.scene);
+  scene.setup.threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const std::filesystem::path folder =
+      options.folder.empty() ? scene.file.stem() : std::filesystem::path(options.folder);
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "osculate: warning: {}\n", warning);
+  std::optional<io::Checkpoint> from;
+  if (options.resume)
+    from = checkpoint_for(scene, folder);
+  else if (!options.overwrite && std::filesystem::exists(results_path(folder)))
+    throw InputError(results_path(folder).string(), "found results of an earlier run",
+                     "--resume to go on, --overwrite to start anew, or another folder by --out");
+  SceneRun scene_run(scene, folder, from);
+  const std::uint64_t first = scene_run.simulation().steps();
+  const auto begin = std::chrono::steady_clock::now();
+  scene_run.run(stop_signal);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  fmt::print("{}\n\n", scene.title);
+  print_summary(scene_run.simulation(), scene_run.simulation().steps() - first, spent.count());
+  fmt::print("\nResults: {} and {}\n", results_path(folder).string(), series_path(folder).string());
+  if (scene_run.is_done()) return;
+  fmt::print(stderr, "osculate: stopped at t = {} of {}; go on with: osculate run {} --out {} --resume\n",
+             io::quantity_text(scene_run.simulation().time(), "s"), io::quantity_text(scene.duration, "s"),
+             options.scene, folder.string());
+  constexpr int stopped_by = 128;  // and the signal's number, as shells say it
+  throw CLI::RuntimeError(stopped_by + stop_signal);
+}
+
+}  // namespace
+
+void add_run(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("run", "Run a scene");
+  command->footer(help);
+  const auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "A scene file")->required();
+  command->add_option("--out", options->folder, "The folder of the results; the scene's name if not given")
+      ->type_name("DIR");
+  command->add_option("--threads", options->threads, "How many; all cores if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  CLI::Option* resume = command->add_flag("--resume", options->resume, "Go on from the last checkpoint");
+  command->add_flag("--overwrite", options->overwrite, "Replace the results of an earlier run")->excludes(resume);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace osculate::app
