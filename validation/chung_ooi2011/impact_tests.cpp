@@ -51,8 +51,30 @@ LawChoice normal_law(double restitution) {
 
 using Rows = std::vector<ImpactRow>;
 
+// Member by member: g++ 12 warns of names that are not initialised where an aggregate's other members may throw.
+Ball ball_of(double radius, const Material& material, const Vec3& velocity) {
+  Ball ball{};
+  ball.radius = radius;
+  ball.material = material;
+  ball.velocity = velocity;
+  return ball;
+}
+Collision on_plane(const Ball& ball, const Material& plane) {
+  Collision collision{};
+  collision.ball_1 = ball;
+  collision.plane = plane;
+  return collision;
+}
+Collision of_balls(const Ball& ball_1, const Ball& ball_2) {
+  Collision collision{};
+  collision.ball_1 = ball_1;
+  collision.ball_2 = ball_2;
+  return collision;
+}
+
 /// Tests 1 and 2.
-void elastic_impact(Rows& rows, int test, const Collision& collision) {
+void elastic_impact(Rows& rows, int test, Collision collision) {
+  collision.law = normal_law(1.0);
   const CollisionPair pair = pair_of(collision);
   const ImpactPair hertz{.mass = pair.reduced_mass, .radius = pair.radius, .modulus = pair.modulus};
   const Impact expected = hertz_impact::impact(hertz, pair.speed);
@@ -69,10 +91,9 @@ void elastic_impact(Rows& rows, int test, const Collision& collision) {
 
 void restitution(Rows& rows, const Material& of, double wanted) {
   constexpr double speed = 3.9;
-  const Outcome outcome = collide({.ball_1 = {.radius = 2.5e-3, .material = of, .velocity = {speed, 0.0, 0.0}},
-                                   .ball_2 = {},
-                                   .plane = rigid(of),
-                                   .law = normal_law(wanted)});
+  Collision collision = on_plane(ball_of(2.5e-3, of, {speed, 0.0, 0.0}), rigid(of));
+  collision.law = normal_law(wanted);
+  const Outcome outcome = collide(collision);
   rows.push_back({3, of.name, fmt::format("ε = {:g}", wanted), "restitution", wanted, -outcome.velocity_1.x() / speed,
                   2e-3});  // the dashpot acts within a step of touch and of parting
 }
@@ -157,17 +178,10 @@ const std::vector<std::string>& impact_test_titles() {
 std::vector<ImpactRow> impact_tests() {
   Rows rows;
   for (const Material& of : {glass, limestone}) {
-    const Ball ball{.radius = 10e-3, .material = of, .velocity = {10.0, 0.0, 0.0}};
-    Ball other = ball;
-    other.velocity.x() = -10.0;
-    elastic_impact(rows, 1, {.ball_1 = ball, .ball_2 = other, .law = normal_law(1.0)});
+    elastic_impact(rows, 1, of_balls(ball_of(10e-3, of, {10.0, 0.0, 0.0}), ball_of(10e-3, of, {-10.0, 0.0, 0.0})));
   }
   for (const Material& of : {aluminium_2, magnesium}) {
-    elastic_impact(rows, 2,
-                   {.ball_1 = {.radius = 0.1, .material = of, .velocity = {0.2, 0.0, 0.0}},
-                    .ball_2 = {},
-                    .plane = rigid(of),
-                    .law = normal_law(1.0)});
+    elastic_impact(rows, 2, on_plane(ball_of(0.1, of, {0.2, 0.0, 0.0}), rigid(of)));
   }
   for (const Material& of : {alumina, cast_iron}) {
     for (const double wanted : {0.2, 0.4, 0.6, 0.8, 1.0}) restitution(rows, of, wanted);
@@ -175,45 +189,38 @@ std::vector<ImpactRow> impact_tests() {
   for (const Material& of : {alumina, aluminium}) {
     for (const double degrees : {40.0, 50.0, 60.0, 70.0, 80.0}) {
       const double angle = degrees * std::numbers::pi / 180.0;
-      slipping(
-          rows, 4, fmt::format("incidence {:g}°", degrees),
-          {.ball_1 = {.radius = 2.5e-3, .material = of, .velocity = 3.9 * Vec3(std::cos(angle), std::sin(angle), 0.0)},
-           .ball_2 = {},
-           .plane = rigid(of),
-           .law = {}},
-          {.restitution = 0.98, .friction = 0.092, .limit = Limit::elastic_force});
+      slipping(rows, 4, fmt::format("incidence {:g}°", degrees),
+               on_plane(ball_of(2.5e-3, of, 3.9 * Vec3(std::cos(angle), std::sin(angle), 0.0)), rigid(of)),
+               {.restitution = 0.98, .friction = 0.092, .limit = Limit::elastic_force});
     }
   }
   for (const Material& of : {steel, polyethylene}) {
     for (const double along : {15.0, 20.0, 30.0, 70.0}) {
-      slipping(rows, 5, fmt::format("{:g} m/s along", along),
-               {.ball_1 = {.radius = 10e-6, .material = of, .velocity = {5.0, along, 0.0}},
-                .ball_2 = {},
-                .plane = of,
-                .law = {}},
+      slipping(rows, 5, fmt::format("{:g} m/s along", along), on_plane(ball_of(10e-6, of, {5.0, along, 0.0}), of),
                {.restitution = 1.0, .friction = 0.3, .limit = Limit::elastic_force});
     }
   }
   for (const Limit limit : {Limit::whole_force, Limit::elastic_force}) {
     const Slip slip{.restitution = 0.5, .friction = 0.4, .limit = limit};
     const auto spinning = [](const Material& of, double spin) {
-      return Ball{.radius = 0.1, .material = of, .velocity = {0.2, 0.0, 0.0}, .angular_velocity = {0.0, 0.0, spin}};
+      Ball ball = ball_of(0.1, of, {0.2, 0.0, 0.0});
+      ball.angular_velocity = {0.0, 0.0, spin};
+      return ball;
     };
     for (const Material& of : {aluminium, nylon}) {
       for (const double spin : {5.0, 21.0}) {
         const std::string condition = fmt::format("{:g} rad/s", spin);
-        slipping(rows, 6, condition, {.ball_1 = spinning(of, spin), .ball_2 = {}, .plane = rigid(of), .law = {}}, slip);
-        Ball heavy{.radius = 0.5, .material = of};
+        slipping(rows, 6, condition, on_plane(spinning(of, spin), rigid(of)), slip);
+        Ball heavy = ball_of(0.5, of, Vec3::Zero());
         heavy.material.density *= 1000.0;
-        slipping(rows, 8, condition, {.ball_1 = spinning(of, spin), .ball_2 = heavy, .law = {}}, slip);
+        slipping(rows, 8, condition, of_balls(spinning(of, spin), heavy), slip);
       }
     }
     for (const Material& of : {aluminium, copper}) {
       for (const double spin : {5.0, 22.0}) {
         Ball other = spinning(of, spin);
         other.velocity.x() = -0.2;
-        slipping(rows, 7, fmt::format("{:g} rad/s both", spin),
-                 {.ball_1 = spinning(of, spin), .ball_2 = other, .law = {}}, slip);
+        slipping(rows, 7, fmt::format("{:g} rad/s both", spin), of_balls(spinning(of, spin), other), slip);
       }
     }
   }

@@ -60,16 +60,18 @@ Figure figure7() {
   io::Panel integrals{.title = "Height integrals, any h",
                       .x = separation,
                       .y = {.label = "F_{n}(h)", .scale = io::Scale::logarithmic},
-                      .curves = {curve("F_{3/2}, force: integral", all,
-                                       [](double h) { return greenwood_williamson::height_integrals(h).three_halves; }),
-                                 curve("F_{3/2} by (35), h > 0", positive, bessel_form, io::Mark::points),
-                                 curve("F_{1}, area: (36) set right", all, greenwood_williamson::mean_compression)}};
+                      .curves = {}};
+  integrals.curves.push_back(curve("F_{3/2}, force: integral", all,
+                                   [](double h) { return greenwood_williamson::height_integrals(h).three_halves; }));
+  integrals.curves.push_back(curve("F_{3/2} by (35), h > 0", positive, bessel_form, io::Mark::points));
+  integrals.curves.push_back(curve("F_{1}, area: (36) set right", all, greenwood_williamson::mean_compression));
   io::Panel forces{.title = "Nominal pressure",
                    .x = separation,
                    .y = {.label = "F/A_{0} [MPa]", .scale = io::Scale::logarithmic},
-                   .curves = {curve("elastic", apart, [&](double h) { return pressure_in_MPa(elastic(h).force); }),
-                              curve("H = 6 GPa", apart, [&](double h) { return pressure_in_MPa(hard(h).force); }),
-                              curve("H = 1.5 GPa", apart, [&](double h) { return pressure_in_MPa(soft(h).force); })}};
+                   .curves = {}};
+  forces.curves.push_back(curve("elastic", apart, [&](double h) { return pressure_in_MPa(elastic(h).force); }));
+  forces.curves.push_back(curve("H = 6 GPa", apart, [&](double h) { return pressure_in_MPa(hard(h).force); }));
+  forces.curves.push_back(curve("H = 1.5 GPa", apart, [&](double h) { return pressure_in_MPa(soft(h).force); }));
   io::Panel regimes{
       .title = "Who carries the load, H = 6 GPa", .x = separation, .y = {.label = "share of the force"}, .curves = {}};
   for (const auto deformation :
