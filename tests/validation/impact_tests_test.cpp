@@ -41,10 +41,11 @@ TEST_CASE("A simulated impact of equal spheres conserves momentum and turns both
   const Ball ball{.radius = 0.01, .material = glass, .velocity = {1.0, 0.3, 0.0}, .angular_velocity = {0.0, 0.0, 7.0}};
   Ball other = ball;
   other.velocity = {-1.0, -0.3, 0.0};
-  const Outcome after =
-      collide({.ball_1 = ball,
-               .ball_2 = other,
-               .law = {{"hertz", {}}, {"tsuji", {{"restitution", 0.7}}}, {"mindlin", {{"friction", 0.2}}}}});
+  Collision collision{};
+  collision.ball_1 = ball;
+  collision.ball_2 = other;
+  collision.law = {{"hertz", {}}, {"tsuji", {{"restitution", 0.7}}}, {"mindlin", {{"friction", 0.2}}}};
+  const Outcome after = collide(collision);
   constexpr double rounding = 1e-12;
   CHECK((after.velocity_1 + after.velocity_2).norm() < rounding);
   CHECK((after.angular_velocity_1 - after.angular_velocity_2).norm() < 1e3 * rounding);
