@@ -8,13 +8,14 @@
 #include <iterator>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace {
 
 using osculate::io::AtomicFile;
 
 std::filesystem::path fresh_folder() {
-  const auto folder = std::filesystem::temp_directory_path() / "osculate_atomic_file_test";
+  const auto folder = temporary("atomic_file_test");
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

@@ -5,12 +5,13 @@
 #include <iterator>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace osculate::io {
 namespace {
 
 std::filesystem::path fresh_folder() {
-  const auto folder = std::filesystem::temp_directory_path() / "osculate_checkpoint_test";
+  const auto folder = temporary("checkpoint_test");
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace {
 
@@ -27,7 +28,7 @@ const std::string body_2 =
     "material = {youngs_modulus = \"3 GPa\", poissons_ratio = 0.4}\n";
 
 std::filesystem::path file(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "osculate_contact_test.toml";
+  const auto path = temporary("contact_test.toml");
   std::ofstream(path) << text;
   return path;
 }

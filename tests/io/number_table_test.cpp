@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 using namespace osculate;
 using Catch::Matchers::Contains;
@@ -16,7 +17,7 @@ namespace {
 const std::vector<std::string> known{"time", "overlap"};
 
 std::string file_with(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "osculate_number_table.csv";
+  const auto path = temporary("number_table.csv");
   std::ofstream(path) << text;
   return path.string();
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace {
 
@@ -17,7 +18,7 @@ const std::string header = "a1,b1,c1,n1_1,n2_1,x1,y1,z1,qw1,qx1,qy1,qz1,a2,b2,c2
 const std::string line = "1,2,3,4,5,6,7,8,1,0,0,0,9,10,11,12,13,14,15,16,0,0,0.6,0.8";
 
 std::string table(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "osculate_pair_table_test.csv";
+  const auto path = temporary("pair_table_test.csv");
   std::ofstream(path) << text;
   return path.string();
 }

@@ -8,6 +8,7 @@
 #include "io/picture_triangles.hpp"
 #include "io/renderer.hpp"
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 using namespace osculate;
 using Catch::Matchers::Contains;
@@ -98,7 +99,7 @@ TEST_CASE("A picture is a PNG of the size asked for") {
   picture.bodies.back().scalars.assign(picture.bodies.back().mesh.vertices.size(), 0.3);
   picture.colour_bar = {.title = "mean curvature (1/m)", .lower = 0.0, .upper = 1.0};
   picture.labels.push_back({.position = Vec3::Zero(), .text = "centre"});
-  const auto path = std::filesystem::temp_directory_path() / "osculate_picture_test.png";
+  const auto path = temporary("picture_test.png");
   io::write_png(picture, path);
   std::ifstream file(path, std::ios::binary);
   std::string head(24, '\0');

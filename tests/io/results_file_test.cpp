@@ -9,12 +9,13 @@
 #include "io/journaled_file.hpp"
 #include "io/results_writer.hpp"
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace osculate::io {
 namespace {
 
 std::filesystem::path fresh_path(const std::string& name) {
-  const auto folder = std::filesystem::temp_directory_path() / "osculate_results_test";
+  const auto folder = temporary("results_test");
   std::filesystem::create_directories(folder);
   std::filesystem::remove(folder / name);
   std::filesystem::remove(journal_path(folder / name));

@@ -4,6 +4,7 @@
 
 #include "io/scene.hpp"
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 namespace osculate::io {
 namespace {
@@ -76,7 +77,7 @@ interval = "0.1 ms"
 )";
 
 std::filesystem::path put(const std::string& text) {
-  const auto folder = std::filesystem::temp_directory_path() / "osculate_scene_test";
+  const auto folder = temporary("scene_test");
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.toml") << text;
   return folder / "scene.toml";
