@@ -86,9 +86,9 @@ TEST_CASE("Every example among the contact files can be read") {
 
 TEST_CASE("A bad contact file is refused with file, line, key, what was found and what was expected") {
   CHECK_THAT(error_of(replaced("orientation", "orientatoin")),
-             Contains("osculate_contact_test.toml:8") && Contains("orientatoin") && Contains("orientation"));
+             Contains("contact_test.toml:8") && Contains("orientatoin") && Contains("orientation"));
   CHECK_THAT(error_of(replaced("[1, 0, 0, 0]", "[1, 0, 0, 0.1]")),
-             Contains("osculate_contact_test.toml:8") && Contains("body_2.orientation") && Contains("unit quaternion"));
+             Contains("contact_test.toml:8") && Contains("body_2.orientation") && Contains("unit quaternion"));
   CHECK_THAT(error_of(replaced("[1, 0, 0, 0]", "{axis = [0, 0, 0], angle = 3}")),
              Contains("axis") && Contains("a direction"));
   CHECK_THAT(error_of(replaced("2.9]", "nan]")), Contains(":7:") && Contains("position") && Contains("nan"));
