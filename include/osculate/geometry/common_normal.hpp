@@ -29,7 +29,7 @@ struct ContactCache {
 enum class Gap {
   resolve,  ///< find the common normal and the gap
   skip,     ///< stop at the first direction that proves separation: `overlap` is minus a lower bound of the gap, the
-            ///< normal that direction; points and curvatures are zero
+            ///< normal that direction; points and curvatures are zero unless the gap was resolved all the same
 };
 
 /// The contact of any two shapes; at most one of them may be a wall. Orientations must be unit quaternions.
