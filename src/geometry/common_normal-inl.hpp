@@ -440,15 +440,50 @@ HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V
 /// by.
 template <class Lift, class Support, class Real>
 HWY_INLINE Touch<Real> follow(const Lift& lift, const Support& support, V3<Real> point, V3<Real> normal) {
-  constexpr int rounds = 12;
-  for (int i = 0;; ++i) {
+  constexpr int rounds = 12, corrections = 3;
+  for (int i = 1;; ++i) {
     const auto follower = support(-normal);
+    for (int k = 0; k < corrections; ++k) {
+      const V3<Real> apart = follower.point - point;
+      const auto leader = lift(point + apart - dot(apart, normal) * normal, normal);
+      point = leader.point;
+      normal = leader.normal;
+    }
     if (i == rounds) return {point, normal, follower.point, follower.normal};
-    const V3<Real> apart = follower.point - point;
-    const auto leader = lift(point + apart - dot(apart, normal) * normal, normal);
-    point = leader.point;
-    normal = leader.normal;
   }
+}
+
+/// Newton's method, damped: every step that is kept lessens what is wrong with normals and points together. Where
+/// normals turn with a high power of the way, a whole step from a face goes over its rim.
+template <class Pair, class Real = typename Pair::Number>
+HWY_NOINLINE Touch<Real> approach(const Pair& pair, const Touch<Real>& start) {
+  constexpr int most_steps = 100;
+  constexpr double shortest = 1e-12;
+  const Real zero(0.0);
+  auto jet_1 = pair.lift_1(start.point_1, start.normal_1);
+  auto jet_2 = pair.lift_2(start.point_2, start.normal_2);
+  const auto wrong_in = [](const Step<Real>& step) {
+    return dot(step.mismatch, step.mismatch) + dot(step.offset, step.offset);
+  };
+  Real reach(longest_step);
+  for (int i = 0; i < most_steps; ++i) {
+    const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
+    Step<Real> step = residual(pair, jet_1, jet_2, basis);
+    const Real wrong = wrong_in(step);
+    solve(pair, jet_1, jet_2, basis, step);
+    limit(step, squared_size(pair, step), reach);
+    const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, pair.length);
+    const auto next_1 = pair.lift_1(ahead.point_1, ahead.normal_1);
+    const auto next_2 = pair.lift_2(ahead.point_2, ahead.normal_2);
+    const Real left = wrong_in(residual(pair, next_1, next_2, tangent_basis(next_1.normal)));
+    const MaskType<Real> moving = reach >= Real(shortest);
+    const MaskType<Real> better = moving & (left < wrong) & (dot(next_1.normal, next_2.normal) < zero);
+    jet_1 = select(better, next_1, jet_1);
+    jet_2 = select(better, next_2, jet_2);
+    reach = select(better, min(Real(2.0) * reach, Real(longest_step)), Real(0.25) * reach);
+    if (!any(moving)) break;
+  }
+  return {jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
 }
 
 }  // namespace HWY_NAMESPACE

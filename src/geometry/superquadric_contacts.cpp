@@ -182,9 +182,11 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
     const auto support_2 = [&](const V3<Real>& n) HWY_ATTR { return supports.support_2(n); };
     const Touch<Real> on_1 = follow(lift_1, support_2, support_1(normal).point, normal);
     const Touch<Real> on_2 = follow(lift_2, support_1, support_2(-normal).point, -normal);
-    improve(finish(on_1, overlap_along(supports, on_1.normal_1), open));
-    improve(finish({on_2.point_2, on_2.normal_2, on_2.point_1, on_2.normal_1}, overlap_along(supports, -on_2.normal_1),
-                   open));
+    const Touch<Real> swapped{on_2.point_2, on_2.normal_2, on_2.point_1, on_2.normal_1};
+    Real lowest(0.0);
+    const Touch<Real> lowered = descend(lifts, supports, normal, usual, lowest);
+    for (const Touch<Real>& touch : {on_1, swapped, approach(lifts, lowered)})
+      improve(finish(touch, overlap_along(supports, touch.normal_1), open));
   }
   const MaskType<Real> open = !best.converged;
   for (int k = 0; k < 12 && any(open); ++k) improve(attempt(axis_direction(problem, k), open));
