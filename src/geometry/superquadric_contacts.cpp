@@ -157,9 +157,7 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
   const auto supports = problem.template as<SupportSurface<SharpJet<Real>, Real, RealPower>>();
   V3<Real> best_direction = first_direction(lifts, supports);
   Real least = overlap_along(supports, best_direction);
-  const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
-    Real lowest(0.0);
-    const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+  const auto finish = [&](const Touch<Real>& touch, const Real& lowest, MaskType<Real> open) HWY_ATTR {
     Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, stubborn.newtons);
     answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
     const MaskType<Real> lower = open & (lowest < least);
@@ -167,12 +165,31 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
     least = select(lower, lowest, least);
     return answer;
   };
+  const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
+    Real lowest(0.0);
+    const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+    return finish(touch, lowest, open);
+  };
   Answer<Real> best = attempt(best_direction, least == least);
-  const MaskType<Real> open = !best.converged;
-  for (int k = 0; k < 12 && any(open); ++k) {
-    const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+  const auto improve = [&](const Answer<Real>& answer) HWY_ATTR {
     best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
+  };
+  if (const MaskType<Real> open = !best.converged; any(open)) {
+    const V3<Real> normal = best_direction;
+    const auto lift_1 = [&](const V3<Real>& p, const V3<Real>& n) HWY_ATTR { return lifts.lift_1(p, n); };
+    const auto lift_2 = [&](const V3<Real>& p, const V3<Real>& n) HWY_ATTR { return lifts.lift_2(p, n); };
+    const auto support_1 = [&](const V3<Real>& n) HWY_ATTR { return supports.support_1(n); };
+    const auto support_2 = [&](const V3<Real>& n) HWY_ATTR { return supports.support_2(n); };
+    const Touch<Real> on_1 = follow(lift_1, support_2, support_1(normal).point, normal);
+    const Touch<Real> on_2 = follow(lift_2, support_1, support_2(-normal).point, -normal);
+    const Touch<Real> swapped{on_2.point_2, on_2.normal_2, on_2.point_1, on_2.normal_1};
+    Real lowest(0.0);
+    const Touch<Real> lowered = descend(lifts, supports, normal, usual, lowest);
+    for (const Touch<Real>& touch : {on_1, swapped, approach(lifts, lowered)})
+      improve(finish(touch, overlap_along(supports, touch.normal_1), open));
   }
+  const MaskType<Real> open = !best.converged;
+  for (int k = 0; k < 12 && any(open); ++k) improve(attempt(axis_direction(problem, k), open));
   const MaskType<Real> found =
       write_answer(problem, best, best.converged & (best.overlap <= least + overlap_tolerance(problem)), rows);
   const MaskType<Real> finite = least == least;
