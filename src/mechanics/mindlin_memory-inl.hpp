@@ -7,6 +7,8 @@
 #define OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
 #endif
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "core/vector-inl.hpp"
@@ -63,8 +65,7 @@ struct ConeOf {
   HWY_INLINE LayerOf<Real> projected(const LayerOf<Real>& layer) const {
     const Real r = radius(layer), size = fma(layer.x, layer.x, layer.y * layer.y);
     const MaskType<Real> out = size > r * r;
-    if (!any(out)) return layer;
-    const Real share = select(out, r / sqrt(select(out, size, Real(1.0))), Real(1.0));
+    const Real share = select(out, r * inverse_sqrt(select(out, size, Real(1.0))), Real(1.0));
     return {layer.root, layer.x * share, layer.y * share};
   }
   /// Where the line from a spring that sticks to one that slides leaves the cone; the second itself if it sticks too.
@@ -97,7 +98,7 @@ template <class Real>
 HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
   static constexpr double node = 0.7745966692414834;  // √(3/5)
   const Real width = b.root - a.root;
-  const Real skew = Real(0.5) * width / (b.root + a.root);
+  const Real skew = Real(0.5) * width * reciprocal(b.root + a.root);
   PlanarOf<Real> total{Real(0.0), Real(0.0)};
   const auto gauss = [&](double place, double weight) HWY_ATTR {
     // The depth's share of the way where √η is at `place` of its own, in −1 … 1.
@@ -131,7 +132,7 @@ HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
   for (int i = 0; i < line.most; ++i) {
     const LayerOf<Real>& a = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
-    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
+    const Real mean = fma(a.root, a.root * reciprocal(a.root + b.root), b.root);
     sum.x += mean * (a.x - b.x);
     sum.y += mean * (a.y - b.y);
   }
@@ -196,6 +197,16 @@ HWY_INLINE int largest(Batch count) {
   return static_cast<int>(hn::GetLane(hn::MaxOfLanes(Tag(), count.v)));
 }
 
+/// Added to a small whole number, this leaves its binary digits as the last ones of the sum.
+inline constexpr double whole_bits = 0x1p52;
+HWY_INLINE bool has_digit(double sum, int digit) {
+  return (std::bit_cast<std::uint64_t>(sum) & static_cast<std::uint64_t>(digit)) != 0;
+}
+HWY_INLINE Mask has_digit(Batch sum, int digit) {
+  const IntTag di;
+  return {hn::RebindMask(Tag(), hn::TestBit(hn::BitCast(di, sum.v), hn::Set(di, digit)))};
+}
+
 /// One step, see mindlin::advance. @pre overlap > 0
 template <class Real>
 HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift, const Real& friction) {
@@ -207,12 +218,13 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
 
   // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
   LayerOf<Real> trial[mindlin::layers + 1];
+  MaskType<Real> beyond[mindlin::layers + 1];  // outside the new rim
   for (int i = 0; i < last; ++i) trial[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
   trial[last] = {line.rim_root, shift.x, shift.y};
+  for (int i = 0; i <= last; ++i) beyond[i] = cone.at_rim(trial[i]);
   LayerOf<Real> inner = trial[0], outer = trial[last];
   for (int i = 0; i < last; ++i) {
-    const MaskType<Real> beyond = cone.at_rim(trial[i]), next_beyond = cone.at_rim(trial[i + 1]);
-    const MaskType<Real> cut = (!beyond) & next_beyond;
+    const MaskType<Real> cut = (!beyond[i]) & beyond[i + 1];
     inner = select(cut, trial[i], inner);
     outer = select(cut, trial[i + 1], outer);
   }
@@ -229,10 +241,8 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   LayerOf<Real> sticks = trial[0], slips = end;
   MaskType<Real> inside = zero < one;
   for (int i = last; i >= 0; --i) {
-    const MaskType<Real> beyond = cone.at_rim(trial[i]);
-    const LayerOf<Real> point = select(beyond, end, trial[i]);
-    const MaskType<Real> out = cone.slides(point);
-    tail[i] = inside & (beyond | out);
+    const LayerOf<Real> point = select(beyond[i], end, trial[i]);
+    tail[i] = inside & (beyond[i] | cone.slides(point));
     const MaskType<Real> front = inside & !tail[i];
     sticks = select(front, point, sticks);
     slips = select(front, i == last ? end : trial[i + 1], slips);
@@ -259,7 +269,7 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   if (any(turns)) {
     LayerOf<Real> last_trial = trial[0], last_next = next[0];
     Real points(1.0);
-    for (int i = 1; i <= last; ++i) last_trial = select(cone.at_rim(trial[i]), last_trial, trial[i]);
+    for (int i = 1; i <= last; ++i) last_trial = select(beyond[i], last_trial, trial[i]);
     for (int i = 1; i <= last + 1; ++i) {
       const MaskType<Real> is_rim = cone.at_rim(next[i]);
       last_next = select(is_rim, last_next, next[i]);
@@ -274,42 +284,37 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
     for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
   }
 
-  // Points on a straight line, or on top of each other, say nothing.
+  // Points on a straight line, or on top of each other, say nothing. Before each other one stand `way` of them.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
-  LayerOf<Real> previous = next[0];
-  Real count(1.0), way[room];  // how many idle points stand before each
-  way[0] = zero;
+  const Real nowhere(whole_bits);
+  Real count(1.0), way[room], farthest = nowhere;
+  way[0] = nowhere;
   for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real>& point = next[i];
+    const LayerOf<Real>&previous = next[i - 1], &point = next[i];
     const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
     const Real left = point.depth() - previous.depth(), right = following.depth() - point.depth();
     const Real stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
-    const MaskType<Real> idle = (bend_x <= rounding * stretch) & (bend_y <= rounding * stretch) & (right > close);
-    const MaskType<Real> keep = !(idle | (left <= close) | (overlap - point.depth() <= close));
-    way[i] = select(keep, Real(double(i)) - count, zero);
-    previous = select(keep, point, previous);
-    count = select(keep, count + one, count);
+    const MaskType<Real> idle = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
+                                (overlap - point.depth() <= close);
+    way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
+    count = select(idle, count, count + one);
+    farthest = max(farthest, way[i]);
   }
-  // The others move up over them: by one place where their way is odd, then by two where half of it is, and so on.
-  for (int step = 1; step < room; step *= 2) {
-    Real longest(0.0);
+  // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
+  // one does, and so on.
+  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
     for (int i = 0; i <= last + 2; ++i) {
-      const Real half = floor(Real(0.5) * way[i]);
-      const MaskType<Real> leaves = way[i] > half + half;
+      const Real stays = select(has_digit(way[i], step), nowhere, way[i]);
       if (i + step <= last + 2) {
-        const Real other = way[i + step], other_half = floor(Real(0.5) * other);
-        const MaskType<Real> comes = other > other_half + other_half;
+        const MaskType<Real> comes = has_digit(way[i + step], step);
         next[i] = select(comes, next[i + step], next[i]);
-        way[i] = select(comes, other_half, select(leaves, zero, half));
+        way[i] = select(comes, way[i + step], stays);
       } else {
-        way[i] = select(leaves, zero, half);
+        way[i] = stays;
       }
-      longest = max(longest, way[i]);
     }
-    if (!any(longest > zero)) break;
-  }
   line.count = count;
   line.most = largest(count);
   for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
