@@ -7,6 +7,7 @@
 #define OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -148,10 +149,11 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
   const LayerOf<Real> rim = line.rim();
   LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
   Real least(1.0), smallest(std::numeric_limits<double>::infinity());
+  LayerOf<Real> a = line.at[0], at = line.at[1];
+  Real left = at.depth() - a.depth();
   for (int i = 1; i < line.most; ++i) {
-    const LayerOf<Real>&a = line.at[i - 1], &at = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
-    const Real left = at.depth() - a.depth(), right = b.depth() - at.depth(), stretch = left + right;
+    const Real right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
     const Real area = abs(bend_x) + abs(bend_y);
@@ -161,6 +163,7 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
     before = select(better, a, before);
     point = select(better, at, point);
     after = select(better, b, after);
+    a = at, at = b, left = right;
   }
   const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
   for (int i = 1; i < line.most; ++i) {
@@ -212,7 +215,7 @@ template <class Real>
 HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift, const Real& friction) {
   constexpr int room = SpringsOf<Real>::room;
   const Real zero(0.0), one(1.0);
-  const int last = line.most;  // the place of the old rim
+  const int last = std::min(line.most, mindlin::layers);  // the place of the old rim
   const Real rim_root = sqrt(overlap);
   const ConeOf<Real> cone{overlap, rim_root, friction};
 
@@ -289,10 +292,11 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   const Real nowhere(whole_bits);
   Real count(1.0), way[room], farthest = nowhere;
   way[0] = nowhere;
+  LayerOf<Real> previous = next[0], point = next[1];
+  Real left = point.depth() - previous.depth();
   for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real>&previous = next[i - 1], &point = next[i];
     const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
-    const Real left = point.depth() - previous.depth(), right = following.depth() - point.depth();
+    const Real right = following.depth() - point.depth();
     const Real stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
@@ -301,6 +305,7 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
     way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
     count = select(idle, count, count + one);
     farthest = max(farthest, way[i]);
+    previous = point, point = following, left = right;
   }
   // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
   // one does, and so on.
