@@ -93,8 +93,8 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       stored_before = select(held & (line.rim_root > zero), stored(line), zero);
       sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
     }
-    advance(line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)}, Batch(pair.friction));
-    const PlanarOf<Batch> sheared = traction(line);
+    const PlanarOf<Batch> sheared = advance(
+        line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)}, Batch(pair.friction));
 
     Batch dashpot = Batch(pair.damping_time) * state.stiffness;
     if (pair.damping_factor > 0.0)

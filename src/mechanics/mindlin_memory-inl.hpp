@@ -93,25 +93,20 @@ struct PlanarOf {
   Real x, y;
 };
 
-/// ∫ η^{−1/2} s_x², s_y² dη along a straight piece: a polynomial of degree 4 in √η, for which three Gauss points are
-/// exact.
+/// ∫ η^{−1/2} s_x², s_y² dη along a straight piece from a to b. With v the share of the way in √η that is
+/// 2 (√η_b − √η_a) ∫ s² dv, s = s_a + (s_b − s_a) ((1 − k) v + k v²), k = (√η_b − √η_a)/(√η_b + √η_a): mean and
+/// variance of s over v, both of which keep their sign.
 template <class Real>
 HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
-  static constexpr double node = 0.7745966692414834;  // √(3/5)
   const Real width = b.root - a.root;
-  const Real skew = Real(0.5) * width * reciprocal(b.root + a.root);
-  PlanarOf<Real> total{Real(0.0), Real(0.0)};
-  const auto gauss = [&](double place, double weight) HWY_ATTR {
-    // The depth's share of the way where √η is at `place` of its own, in −1 … 1.
-    const Real t = Real(0.5 * (1.0 + place)) * fma(Real(place - 1.0), skew, Real(1.0));
-    const Real x = fma(t, b.x - a.x, a.x), y = fma(t, b.y - a.y, a.y);
-    total.x = fma(Real(weight) * x, x, total.x);
-    total.y = fma(Real(weight) * y, y, total.y);
+  const Real k = width * reciprocal(b.root + a.root);
+  const Real middle = fma(Real(-1.0 / 6.0), k, Real(0.5)), spread = fma(Real(1.0 / 180.0) * k, k, Real(1.0 / 12.0));
+  const auto mean_square = [&](const Real& from, const Real& to) HWY_ATTR {
+    const Real rise = to - from, mean = fma(rise, middle, from);
+    return fma(mean, mean, spread * rise * rise);
   };
-  gauss(-node, 5.0 / 9.0);
-  gauss(0.0, 8.0 / 9.0);
-  gauss(node, 5.0 / 9.0);
-  return {width * total.x, width * total.y};
+  const Real twice = width + width;
+  return {twice * mean_square(a.x, b.x), twice * mean_square(a.y, b.y)};
 }
 
 /// The same over the whole polyline. @pre overlap > 0 wherever the result is used
@@ -174,23 +169,26 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
   return {select(over, chord.x - first.x - second.x, zero), select(over, chord.y - first.y - second.y, zero)};
 }
 
-/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. The traction t
+/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. Returns the
+/// traction that is left. The traction t
 /// bounds the energy from below, ∫ η^{−1/2} s² dη ≥ (4/3 t)²/(2 δ^{1/2}), which is enough where the rise is small
 /// beside it; else the energy itself is found.
 template <class Real>
-HWY_INLINE void give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
+HWY_INLINE PlanarOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
   static constexpr double small = 0.01;
   const Real zero(0.0), one(1.0);
   const PlanarOf<Real> sheared = traction(line);
-  const Real share = Real(8.0 / 9.0) / line.rim_root;
+  const Real share = Real(8.0 / 9.0) * reciprocal(line.rim_root);
   PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
   if (any((rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y))) energy = squared(line);
+  const Real least(std::numeric_limits<double>::min());
   const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
-    const MaskType<Real> needed = more > zero;
-    return select(needed, sqrt(max(one - more / select(needed, of, one), zero)), one);
+    const Real left = max(one - more * reciprocal(max(of, least)), least);
+    return select(more > zero, left * inverse_sqrt(left), one);
   };
   const Real scale_x = shrink(rise.x, energy.x), scale_y = shrink(rise.y, energy.y);
   for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
+  return {scale_x * sheared.x, scale_y * sheared.y};
 }
 
 HWY_INLINE int largest(double count) {
@@ -210,9 +208,10 @@ HWY_INLINE Mask has_digit(Batch sum, int digit) {
   return {hn::RebindMask(Tag(), hn::TestBit(hn::BitCast(di, sum.v), hn::Set(di, digit)))};
 }
 
-/// One step, see mindlin::advance. @pre overlap > 0
+/// One step, see mindlin::advance; returns the traction after it. @pre overlap > 0
 template <class Real>
-HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift, const Real& friction) {
+HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift,
+                                  const Real& friction) {
   constexpr int room = SpringsOf<Real>::room;
   const Real zero(0.0), one(1.0);
   const int last = std::min(line.most, mindlin::layers);  // the place of the old rim
@@ -323,14 +322,14 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   line.count = count;
   line.most = largest(count);
   for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
-  if (line.most <= mindlin::layers) return;
+  if (line.most <= mindlin::layers) return traction(line);
   PlanarOf<Real> rise{zero, zero};
   while (line.most > mindlin::layers) {
     const PlanarOf<Real> more = forget_one(line);
     rise.x += more.x, rise.y += more.y;
     line.most = largest(line.count);
   }
-  if (any((rise.x > zero) | (rise.y > zero))) give_back(line, rise);
+  return any((rise.x > zero) | (rise.y > zero)) ? give_back(line, rise) : traction(line);
 }
 
 /// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
