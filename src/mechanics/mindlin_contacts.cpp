@@ -93,14 +93,18 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       stored_before = select(held & (line.rim_root > zero), stored(line), zero);
       sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
     }
-    const PlanarOf<Batch> sheared = advance(
-        line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)}, Batch(pair.friction));
-
     Batch dashpot = Batch(pair.damping_time) * state.stiffness;
     if (pair.damping_factor > 0.0)
       dashpot += Batch(pair.damping_factor) *
                  sqrt(Batch(2.0 / 3.0) * load<Batch>(&input.reduced_mass[start], count) * state.stiffness);
     const Batch normal_force = max(fma(dashpot, rate, state.force), zero);
+    // Every spring slides at the same share of its limit as the load is of the elastic one; held finite for δ → 0.
+    const Batch unlimited(1e30), smallest(smallest_normal);
+    const Batch load = min(max(fma(dashpot * rate, reciprocal(max(state.force, smallest)), one), zero), unlimited);
+    const PlanarOf<Batch> sheared =
+        advance(line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)},
+                Batch(pair.friction) * load);
+
     const V3<Batch> force =
         (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
     const V3<Batch> none{zero, zero, zero};

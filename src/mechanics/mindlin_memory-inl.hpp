@@ -24,6 +24,8 @@ namespace HWY_NAMESPACE {
 inline constexpr double straight = 1e-10;
 /// Points nearer than this share of the overlap are one.
 inline constexpr double nearest = 1e-15;
+/// What a reciprocal is taken of at the least.
+inline constexpr double smallest_normal = std::numeric_limits<double>::min();
 
 /// A spring by the root of its depth, which is what forces and energies are integrals over.
 template <class Real>
@@ -181,7 +183,7 @@ HWY_INLINE PlanarOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>&
   const Real share = Real(8.0 / 9.0) * reciprocal(line.rim_root);
   PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
   if (any((rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y))) energy = squared(line);
-  const Real least(std::numeric_limits<double>::min());
+  const Real least(smallest_normal);
   const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
     const Real left = max(one - more * reciprocal(max(of, least)), least);
     return select(more > zero, left * inverse_sqrt(left), one);
