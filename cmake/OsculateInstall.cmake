@@ -19,6 +19,16 @@ if(OSCULATE_BUILD_C)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/osculate.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT development)
 endif()
+if(OSCULATE_BUILD_FORTRAN)
+  install(TARGETS osculate_fortran EXPORT osculateTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(FILES ${PROJECT_BINARY_DIR}/src/fortran/modules/osculate.mod
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/fortran/osculate COMPONENT development)
+  install(FILES src/fortran/osculate.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/osculate/fortran COMPONENT development)
+  configure_file(cmake/osculate-fortran.pc.in osculate-fortran.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/osculate-fortran.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
+endif()
 install(EXPORT osculateTargets NAMESPACE osculate:: DESTINATION ${OSCULATE_CMAKE_DIR} COMPONENT development)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
