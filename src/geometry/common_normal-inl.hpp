@@ -350,6 +350,33 @@ HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
   return dot(pair.support_1(direction).point - pair.support_2(-direction).point, direction);
 }
 
+/// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
+template <class Real>
+HWY_INLINE Real overlap_tolerance(const Real& length, const Real& extent) {
+  return Real(1e-12) * length + Real(1e-14) * extent;
+}
+
+/// The best of the centre line and both bodies' normals on it.
+template <class Lifts, class Supports, class Real = typename Lifts::Number>
+HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
+  const Real zero(0.0);
+  // From coincident centres any direction is as good a start.
+  const V3<Real> toward =
+      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
+  const V3<Real> centre_line = normalised(toward);
+  const V3<Real> origin{zero, zero, zero};
+  const V3<Real> others[] = {lifts.normal_1(toward, toward), -lifts.normal_2(origin, -toward)};
+  V3<Real> best = centre_line;
+  Real least = overlap_along(supports, best);
+  for (const V3<Real>& other : others) {
+    const Real overlap = overlap_along(supports, other);
+    const MaskType<Real> better = overlap < least;
+    best = select(better, other, best);
+    least = select(better, overlap, least);
+  }
+  return best;
+}
+
 /// The first Newton step of a warm start. The bodies have moved, but each surface is what it was at its cached point:
 /// the shape operators found there serve again, unevaluated. In the tangent plane `basis` of normal 1.
 template <class Pair, class Real = typename Pair::Number>
