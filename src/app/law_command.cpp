@@ -32,11 +32,14 @@ Numbers are in SI units; keys are those of the law and of the contact (both list
   osculate law mindlin --with brilliantov --set friction=0.3 dissipative_time=1e-8 --sweep x=0:4e-7:50
   osculate law brilliantov --set dissipative_time=1e-7 --sweep overlap=1e-8:1e-5:40:log --csv force.csv
   osculate law mindlin --set friction=0.3 --path load.csv --picture loop.svg
+  osculate law polygon_energy --set coefficient=1e5 --sweep turn=0:1.5:100 --picture turned.svg
 
 A load path is a table of comma-separated numbers under a header, with any of the columns
   time [s], overlap [m], x, y [m] (displacement of body 2 along the major and minor axis), twist [rad].
 A sweep of overlap, x, y or twist is such a path too: the contact remembers. For any other key each value is a contact
-of its own. Losses are sums from the start.)";
+of its own. Losses are sums from the start.
+Theories that no time step takes stand at the end of the list. They answer for a state, which is all in their
+parameters; a table given to --path has columns of these, and each row is a state of its own.)";
 
 struct Options {
   std::string name;
@@ -122,10 +125,13 @@ void list_laws(bool json) {
                               parameters_text(law->parameters)});
     fmt::print("\n{}", io::to_text(table));
   }
-  io::Table table{{"in no time step", "what it is", "equations", "parameters"}, {}, 4};
-  for (const StudyLaw* law : study_laws())
-    table.rows.push_back({std::string(law->name), std::string(law->title), std::string(law->equations),
-                          parameters_text(law->parameters)});
+  io::Table table{{"in no time step", "what it is", "equations", "parameters without a default"}, {}, 4};
+  for (const StudyLaw* law : study_laws()) {
+    std::vector<LawParameter> required(law->parameters.begin(), law->parameters.end());
+    std::erase_if(required, [](const LawParameter& parameter) { return parameter.standard.has_value(); });
+    table.rows.push_back(
+        {std::string(law->name), std::string(law->title), std::string(law->equations), parameters_text(required)});
+  }
   fmt::print("\n{}", io::to_text(table));
   fmt::print("\n`osculate law NAME` says more about one; `osculate law --help` how to evaluate it.\n");
 }

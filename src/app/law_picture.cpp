@@ -83,7 +83,8 @@ std::string with_unit(const std::string& label, const std::string& unit) {
 
 io::PrefixedUnit unit_for(double size, std::string_view unit) {
   if (unit == "m^2") {
-    const io::PrefixedUnit side = io::prefixed_unit(std::sqrt(std::fabs(size)), "m");
+    constexpr double few = 10.0;  // 0.3 mm^2 rather than 300000 µm^2
+    const io::PrefixedUnit side = io::prefixed_unit(std::sqrt(few * std::fabs(size)), "m");
     return {side.symbol + "^2", side.size * side.size};
   }
   if (unit.empty() || unit.find('^') != std::string_view::npos) return {std::string(unit), 1.0};

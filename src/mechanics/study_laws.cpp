@@ -215,7 +215,7 @@ constexpr StudyLaw hisakado_tsukizoe{
     .results = hisakado_results,
     .shown = "displacement",
     .shown_from = 0.0,
-    .shown_to = 1e-6,
+    .shown_to = 1e-7,
     .answer = hisakado_answer};
 
 // Tangential dissipation.
@@ -233,7 +233,7 @@ constexpr std::array dissipation_parameters{
     positive("overlap", "δ", "m", "overlap", 1e-6),
     E_1,
     nu_1};
-constexpr std::array dissipation_results{StudyResult{"force", "dissipative force F_t,dis, major axis", "N"},
+constexpr std::array dissipation_results{StudyResult{"force", "dissipative force, major axis", "N"},
                                          StudyResult{"force_y", "minor axis", "N"},
                                          StudyResult{"no_slip_stiffness", "stiffness before slip, major axis", "N/m"},
                                          StudyResult{"no_slip_stiffness_y", "minor axis", "N/m"}};
@@ -270,8 +270,14 @@ constexpr StudyLaw tangential_dissipation{
 // Feng and Owen's polygons, regular ones here.
 
 constexpr LawParameter sides(std::string_view name, std::string_view symbol, std::string_view meaning) {
-  return {
-      .name = name, .symbol = symbol, .unit = "", .meaning = meaning, .least = 3.0, .most = 1000.0, .standard = 4.0};
+  return {.name = name,
+          .symbol = symbol,
+          .unit = "",
+          .meaning = meaning,
+          .least = 3.0,
+          .most = 1000.0,
+          .most_bound = LawParameter::Bound::included,
+          .standard = 4.0};
 }
 constexpr std::array polygon_parameters{
     positive("coefficient", "k", "J/m^{2m}", "of the energy W = k A^m", {}),
@@ -285,9 +291,9 @@ constexpr std::array polygon_parameters{
     sides("sides_2", "n_2", "sides of body 2, whole"),
     positive("radius_1", "r_1", "m", "circumradius of body 1", 1e-3),
     positive("radius_2", "r_2", "m", "circumradius of body 2", 1e-3),
-    signed_number("x", "x", "m", "place of body 2, body 1 being at 0 with a vertex on the x axis", 1.9e-3),
-    signed_number("y", "y", "m", "likewise", 0.0),
-    signed_number("turn", "θ", "rad", "turn of body 2", 0.0)};
+    signed_number("x", "x", "m", "place x of body 2; body 1 stands at 0, a vertex on the x axis", 1.7e-3),
+    signed_number("y", "y", "m", "place y of body 2", 2e-4),
+    signed_number("turn", "θ", "rad", "turn of body 2", 0.2)};
 constexpr std::array polygon_results{StudyResult{"force_x", "force on body 2 along x", "N"},
                                      StudyResult{"force_y", "force on body 2 along y", "N"},
                                      StudyResult{"moment_1", "moment on body 1", "N m"},
@@ -317,7 +323,7 @@ std::vector<double> polygon_answer(const Numbers& numbers) {
 }
 constexpr StudyLaw polygons{.name = "polygon_energy",
                             .slot = LawSlot::normal,
-                            .title = "Energy-conserving contact of polygons in the plane, per unit of thickness",
+                            .title = "Energy-conserving contact of regular polygons in the plane",
                             .formula = "F = −W'(A) ∂A/∂x, M = −W'(A) ∂A/∂θ, W = k A^m",
                             .equations = "(54),(55)",
                             .source = "FO04",
@@ -328,7 +334,7 @@ constexpr StudyLaw polygons{.name = "polygon_energy",
                             .results = polygon_results,
                             .shown = "x",
                             .shown_from = 1.2e-3,
-                            .shown_to = 2.1e-3,
+                            .shown_to = 2e-3,
                             .answer = polygon_answer};
 
 constexpr std::array all{&polygons, &greenwood_williamson_patch, &jeng_wang_patch, &hisakado_tsukizoe,
