@@ -73,33 +73,35 @@ class ChunkStep {
     scratch_.caches.resize(scratch_.awake.size());
     for (Index row = 0; row < scratch_.awake.size(); ++row) {
       const Index k = index_of(scratch_.awake[row]);
-      scratch_.pairs.push_back(chunk_.far[k].bodies);
-      scratch_.caches.set(row, chunk_.far_caches[k].cache());
+      const LocalPair& pair = chunk_.far[k].bodies;
+      scratch_.pairs.push_back(pair);
+      const bool planes = chunk_.group.narrow_phase == NarrowPhase::superquadrics;
+      const auto radius = [&](Index body) { return planes ? shape(body).bounding_radius : 0.0; };
+      scratch_.caches.set(row, chunk_.far_caches[k].cache(radius(pair.first), radius(pair.second)));
     }
-    solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip);
+    solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip, scratch_.far);
     // From behind, since a pair that leaves is replaced by the last one.
     for (Index row = scratch_.awake.size(); row-- > 0;) sort_out(row);
   }
 
   void solve_contacts() {
-    if (chunk_.contacts.size() > 0) solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip);
+    if (chunk_.contacts.size() > 0) solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip, scratch_.contacts);
   }
 
   void apply_law();
 
-  void solve(const std::vector<BodyPair>& pairs, ContactCaches& caches, Gap gap);
+  void solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap, ChunkScratch::Solved& solved);
 
  private:
-  const BodyRecord& record(std::int32_t local) const {
-    return kinematics_.records[index_of(chunk_.bodies[index_of(local)])];
+  const BodyRecord& record(Index local) const { return kinematics_.records[index_of(chunk_.bodies[local])]; }
+  double travel(const LocalPair& pair) const {
+    return kinematics_.travel[index_of(chunk_.bodies[pair.first])] +
+           kinematics_.travel[index_of(chunk_.bodies[pair.second])];
   }
-  double travel(std::int32_t local) const { return kinematics_.travel[index_of(chunk_.bodies[index_of(local)])]; }
-  const BodyShape& shape(std::int32_t local) const {
-    return world_.shapes[index_of(bodies_.shape[index_of(chunk_.bodies[index_of(local)])])];
+  const BodyShape& shape(Index local) const {
+    return world_.shapes[index_of(bodies_.shape[index_of(chunk_.bodies[local])])];
   }
-  BodyPair global(const BodyPair& pair) const {
-    return {chunk_.bodies[index_of(pair.first)], chunk_.bodies[index_of(pair.second)]};
-  }
+  BodyPair global(const LocalPair& pair) const { return {chunk_.bodies[pair.first], chunk_.bodies[pair.second]}; }
   /// The multiple of the periods that brings body 2 next to body 1.
   Vec3 image_shift(const BodyRecord& one, const BodyRecord& two) const {
     const PeriodicBox& box = world_.setup.box;
@@ -109,7 +111,7 @@ class ChunkStep {
 
   void find_awake();
   void sort_out(Index row);
-  PairConstants constants_of(const BodyPair& pair) const;
+  PairConstants constants_of(const LocalPair& pair) const;
   void describe_motion();
   void call_law();
   void collect_forces();
@@ -129,17 +131,18 @@ void ChunkStep::find_awake() {
   for (const std::int32_t body : chunk_.bodies) scratch_.travel.push_back(kinematics_.travel[index_of(body)]);
   for (Index k = 0; k < chunk_.far.size(); ++k) {
     const FarPair& far = chunk_.far[k];
-    const double travel = scratch_.travel[index_of(far.bodies.first)] + scratch_.travel[index_of(far.bodies.second)];
-    if (travel >= far.quiet_until) scratch_.awake.push_back(static_cast<std::int32_t>(k));
+    if (scratch_.travel[far.bodies.first] + scratch_.travel[far.bodies.second] >= far.quiet_until)
+      scratch_.awake.push_back(static_cast<std::int32_t>(k));
   }
 }
 
-void ChunkStep::solve(const std::vector<BodyPair>& pairs, ContactCaches& caches, Gap gap) {
+void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap,
+                      ChunkScratch::Solved& solved) {
   if (chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
     constexpr Index each = SuperquadricPairs::per_body;
-    scratch_.superquadrics.resize(pairs.size());
+    solved.superquadrics.resize(pairs.size());
     double* columns[2 * each];
-    for (Index k = 0; k < 2 * each; ++k) columns[k] = scratch_.superquadrics.columns[k];
+    for (Index k = 0; k < 2 * each; ++k) columns[k] = solved.superquadrics.columns[k];
     const bool repeats = world_.setup.box.repeats();
     for (Index row = 0; row < pairs.size(); ++row) {
       const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
@@ -149,22 +152,21 @@ void ChunkStep::solve(const std::vector<BodyPair>& pairs, ContactCaches& caches,
       const Vec3 shift = image_shift(one, two);
       for (Index k = 0; k < 3; ++k) columns[each + 5 + k][row] += shift[static_cast<Eigen::Index>(k)];
     }
-    common_normals(scratch_.superquadrics, caches, scratch_.geometry, gap);
+    common_normals(solved.superquadrics, caches, solved.geometry, gap);
     return;
   }
-  scratch_.shapes.resize(pairs.size());
+  solved.shapes.resize(pairs.size());
   for (Index row = 0; row < pairs.size(); ++row) {
     const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
     const BodyShape &shape_1 = shape(pairs[row].first), &shape_2 = shape(pairs[row].second);
     Pose second = two.pose();
     second.position += image_shift(one, two);
-    scratch_.shapes.set(row, shape_1.shape, shape_pose(shape_1, one.pose()), shape_2.shape,
-                        shape_pose(shape_2, second));
+    solved.shapes.set(row, shape_1.shape, shape_pose(shape_1, one.pose()), shape_2.shape, shape_pose(shape_2, second));
   }
-  common_normals(scratch_.shapes, caches, scratch_.geometry, gap);
+  common_normals(solved.shapes, caches, solved.geometry, gap);
 }
 
-PairConstants ChunkStep::constants_of(const BodyPair& pair) const {
+PairConstants ChunkStep::constants_of(const LocalPair& pair) const {
   const BodyPair bodies = global(pair);
   const Index one = index_of(bodies.first), two = index_of(bodies.second);
   const auto mass = [&](Index body) {
@@ -181,8 +183,8 @@ void ChunkStep::sort_out(Index row) {
   constexpr double safety = 1e-9;  // of the bodies' size: far above the round-off of a gap
   const Index k = index_of(scratch_.awake[row]);
   FarPair& far = chunk_.far[k];
-  const double overlap = scratch_.geometry.columns[3][row];
-  const ContactStatus status = scratch_.geometry.statuses[row];
+  const double overlap = scratch_.far.geometry.columns[3][row];
+  const ContactStatus status = scratch_.far.geometry.statuses[row];
   if (!is_resolved(status) && !(status == ContactStatus::not_converged && overlap < -reach_))
     report(chunk_, status == ContactStatus::degenerate ? Fault::degenerate : Fault::not_converged, global(far.bodies),
            overlap);
@@ -197,7 +199,7 @@ void ChunkStep::sort_out(Index row) {
   }
   chunk_.far_caches[k] = FarCache(cache);
   const double size = std::min(shape(far.bodies.first).bounding_radius, shape(far.bodies.second).bounding_radius);
-  far.quiet_until = travel(far.bodies.first) + travel(far.bodies.second) - overlap - reach_ - safety * size;
+  far.quiet_until = rounded_down(travel(far.bodies) - overlap - reach_ - safety * size);
 }
 
 Vec3 column_vector(const ContactColumns& contacts, Index first, Index row) {
@@ -248,11 +250,11 @@ void ChunkStep::describe_motion() {
   scratch_.motion.resize(size);
   double* columns[9];
   for (Index k = 0; k < 9; ++k) columns[k] = scratch_.motion[k];
-  ContactColumns& found = scratch_.geometry;
+  ContactColumns& found = scratch_.contacts.geometry;
   const bool repeats = world_.setup.box.repeats();
   const LawNeeds& needs = law_.needs();
   for (Index i = 0; i < size; ++i) {
-    const BodyPair& pair = chunk_.contacts.bodies[i];
+    const LocalPair& pair = chunk_.contacts.bodies[i];
     const BodyRecord &one = record(pair.first), &two = record(pair.second);
     const double cap = chunk_.contacts.radius_cap[i];
     double &R_i = found.columns[geometry::R_i][i], &R_j = found.columns[geometry::R_j][i];
@@ -290,7 +292,7 @@ void ChunkStep::describe_motion() {
 void ChunkStep::call_law() {
   Contacts& contacts = chunk_.contacts;
   const Index size = contacts.size();
-  const ContactColumns& found = scratch_.geometry;
+  const ContactColumns& found = scratch_.contacts.geometry;
   Columns<13>& out = scratch_.answer;
   out.resize(size);
   scratch_.status.resize(size);
@@ -327,7 +329,7 @@ void ChunkStep::collect_forces() {
   constexpr double safety = 1e-9;
   Contacts& contacts = chunk_.contacts;
   const Index size = contacts.size();
-  const ContactColumns& found = scratch_.geometry;
+  const ContactColumns& found = scratch_.contacts.geometry;
   const Columns<13>& out = scratch_.answer;
   const double dt = kinematics_.time_step;
   const bool couples = law_.makes_couples();
@@ -336,7 +338,7 @@ void ChunkStep::collect_forces() {
          gain = 0.0;
   scratch_.opened.clear();
   for (Index i = 0; i < size; ++i) {
-    const BodyPair& pair = contacts.bodies[i];
+    const LocalPair& pair = contacts.bodies[i];
     const double overlap = found.columns[geometry::overlap][i];
     const ContactStatus geometry_status = found.statuses[i];
     const LawStatus status = scratch_.status[i];
@@ -366,7 +368,7 @@ void ChunkStep::collect_forces() {
     const double edge = edge_force(overlap, std::fabs(n.dot(v)) * dt, stored, stiffness);
     const Vec3 force = Vec3(out[0][i], out[1][i], out[2][i]) - edge * n;
     contacts.force[i] = force;
-    Wrench &on_1 = chunk_.wrenches[index_of(pair.first)], &on_2 = chunk_.wrenches[index_of(pair.second)];
+    Wrench &on_1 = chunk_.wrenches[pair.first], &on_2 = chunk_.wrenches[pair.second];
     on_1.force += force;
     on_2.force -= force;
     on_1.torque += scratch_.arm_1[i].cross(force);
@@ -386,10 +388,10 @@ void ChunkStep::collect_forces() {
   chunk_.stiffest = most;
   for (Index k = scratch_.opened.size(); k-- > 0;) {
     const Index i = index_of(scratch_.opened[k]);
-    const BodyPair pair = contacts.bodies[i];
+    const LocalPair pair = contacts.bodies[i];
     const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
     const double gap = -found.columns[geometry::overlap][i] - reach_ - safety * size_of_pair;
-    chunk_.far.push_back({pair, travel(pair.first) + travel(pair.second) + gap});
+    chunk_.far.push_back({pair, rounded_down(travel(pair) + gap)});
     chunk_.far_caches.emplace_back(contacts.caches.get(i));
     remove_contact(contacts, i, law_);
   }
@@ -425,8 +427,9 @@ ContactColumns geometry_of(const PairChunk& chunk, const World& world, const Bod
   copy.group = chunk.group;
   copy.bodies = chunk.bodies;
   scratch.caches = chunk.contacts.caches;
-  ChunkStep(copy, world, bodies, kinematics, scratch).solve(chunk.contacts.bodies, scratch.caches, Gap::resolve);
-  return scratch.geometry;
+  ChunkStep(copy, world, bodies, kinematics, scratch)
+      .solve(chunk.contacts.bodies, scratch.caches, Gap::resolve, scratch.contacts);
+  return scratch.contacts.geometry;
 }
 
 std::array<double, 5> superquadric_numbers(const Shape& shape) {

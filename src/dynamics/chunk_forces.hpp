@@ -15,11 +15,15 @@ struct ChunkScratch {
   std::vector<std::int32_t> awake;  ///< far pairs for the narrow phase: one a row
   std::vector<std::int32_t> opened;
   std::vector<double> travel;  ///< of the chunk's bodies [m]
-  std::vector<BodyPair> pairs;
-  SuperquadricPairs superquadrics;
-  ShapePairs shapes;
+  std::vector<LocalPair> pairs;
   ContactCaches caches;
-  ContactColumns geometry;
+  /// Of pairs given to the narrow phase: far ones, and contacts. Two, because room that shrinks is cleared.
+  struct Solved {
+    SuperquadricPairs superquadrics;
+    ShapePairs shapes;
+    ContactColumns geometry;
+  };
+  Solved far, contacts;
   std::vector<Vec3> arm_1, arm_2;  ///< from the centroids to the contact point [m]
   Columns<9> motion;
   Columns<13> answer;
