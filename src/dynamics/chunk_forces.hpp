@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dynamics/contact_batches.hpp"
 #include "dynamics/kinematics.hpp"
 #include "dynamics/pair_chunk.hpp"
 #include "dynamics/world.hpp"
@@ -21,12 +22,14 @@ struct ChunkScratch {
   struct Solved {
     SuperquadricPairs superquadrics;
     ShapePairs shapes;
+    Columns<3> shift;  ///< what brings body 2 next to body 1 [m]; no rows where nothing is repeated in space
     ContactColumns geometry;
   };
   Solved far, contacts;
-  std::vector<Vec3> arm_1, arm_2;  ///< from the centroids to the contact point [m]
-  Columns<9> motion;
-  Columns<13> answer;
+  Columns<of_arms::columns> arms;
+  Columns<of_motion::columns> motion;
+  Columns<of_answer::columns> answer;
+  Columns<of_torques::columns> torques;
   std::vector<LawStatus> status;
   double narrow_seconds = 0.0, law_seconds = 0.0;  // these add up
 };

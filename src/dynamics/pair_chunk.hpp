@@ -97,7 +97,7 @@ struct Wrench {
 };
 
 struct PairChunk {
-  static constexpr std::size_t most_pairs = 1024;
+  static constexpr std::size_t most_pairs = 512;
 
   PairGroup group;
   std::vector<FarPair> far;
