@@ -16,10 +16,11 @@ namespace osculate {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t width = lanes<Batch>();
-static_assert(sizeof(BodyRecord) == 24 * sizeof(double) && (width == 2 || width == 4 || width == 8));
+static_assert(sizeof(BodyRecord) == 24 * sizeof(double) && width <= 8);
 
 /// Rows become columns: rows[i] lane k goes to rows[k] lane i.
-HWY_INLINE void transpose(hn::Vec<Tag> (&rows)[width]) {
+HWY_INLINE void transpose([[maybe_unused]] hn::Vec<Tag> (&rows)[width]) {
+#if HWY_TARGET != HWY_SCALAR
   const Tag d;
   hn::Vec<Tag> pairs[width];  // pairs[k + 2 p]: what rows 2 p and 2 p + 1 hold in even (k = 0) or odd columns
   for (std::size_t i = 0; i < width; i += 2) {
@@ -45,6 +46,7 @@ HWY_INLINE void transpose(hn::Vec<Tag> (&rows)[width]) {
   }
 #else
   for (std::size_t k = 0; k < 2; ++k) rows[k] = pairs[k];
+#endif
 #endif
 }
 
