@@ -1,5 +1,5 @@
-# Two components: `development` is the core library for find_package(osculate), `program` the osculate program with its
-# catalogue of shapes. `cmake --install BUILD --component program` installs one alone.
+# Two components: `development` is the library for find_package(osculate) and pkg-config, `program` the osculate program
+# with its catalogue of shapes. `cmake --install BUILD --component program` installs one alone.
 include(CMakePackageConfigHelpers)
 set(OSCULATE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/osculate)
 
@@ -7,7 +7,28 @@ install(TARGETS osculate EXPORT osculateTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(DIRECTORY include/osculate DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+if(OSCULATE_BUILD_C)
+  install(TARGETS osculate_c EXPORT osculateTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  # The prefix is found from where the file stands, so that an installed tree may be moved.
+  set(pkgconfig_dir ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH OSCULATE_PC_PREFIX ${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" OSCULATE_PC_PREFIX ${OSCULATE_PC_PREFIX})
+  configure_file(cmake/osculate.pc.in osculate.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/osculate.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
+endif()
+if(OSCULATE_BUILD_FORTRAN)
+  install(TARGETS osculate_fortran EXPORT osculateTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(FILES ${PROJECT_BINARY_DIR}/src/fortran/modules/osculate.mod
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/fortran/osculate COMPONENT development)
+  install(FILES src/fortran/osculate.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/osculate/fortran COMPONENT development)
+  configure_file(cmake/osculate-fortran.pc.in osculate-fortran.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/osculate-fortran.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
+endif()
 install(EXPORT osculateTargets NAMESPACE osculate:: DESTINATION ${OSCULATE_CMAKE_DIR} COMPONENT development)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 

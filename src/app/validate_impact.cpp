@@ -27,9 +27,9 @@ other; neither enters the closed forms of slip.
 
 Reference values are closed forms, evaluated here. Of oblique and spinning impacts those are shown in which the surfaces
 slip throughout; partial slip (Maw, Barber and Fawcett 1976) has none. Closed forms of spin take the arm R; the engine's
-arm ends in the middle of the overlap, and the tolerance allows for that. Coulomb's limit is the whole normal force in
-the law sliding, as in the paper. In mindlin it is the elastic part, which goes on where a dashpot brings the whole force
-down to zero: another impulse, with a closed form of its own.
+arm ends in the middle of the overlap, and the tolerance allows for that. Coulomb's limit is the whole normal force.
+The law sliding reaches it at once; the springs of mindlin are soft at the first touch, where a dashpot makes the limit
+large, so that they stick a little longer. That has no closed form, and widens the tolerance of mindlin with a dashpot.
 )";
 
 std::size_t print_tests() {

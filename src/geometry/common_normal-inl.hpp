@@ -222,6 +222,12 @@ constexpr double small_step = 1e-12;
 /// Normals that differ by this are equal (they are known to n units in the last place): points on flat sets move no
 /// further.
 constexpr double equal_normals = 1e-14;
+/// Coordinates of a small body beside a large one have the round-off of the large one's, and its curvature makes
+/// normals of it: from this step on normals that differ by less than such round-off, and no longer come closer, are
+/// equal …
+constexpr int patient_steps = 4;
+/// … but never if they differ by more than this.
+constexpr double blurred_normals = 1e-9;
 /// From steps below this on, the error falls with the square of the step.
 constexpr double quadratic_step = 1e-3;
 /// An error below this is left, in radians seen from the larger body's size; the surfaces are evaluated once more, for
@@ -273,8 +279,8 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
   Answer<Real> answer;
   answer.touch = start.touch;
   answer.converged = !(zero == zero);
-  MaskType<Real> closing = answer.converged;
-  Real last_move = start.last_move;
+  MaskType<Real> closing = answer.converged, blurred = closing;
+  Real last_move = start.last_move, last_mismatch = zero;
   const Real left_undone = square(max(Real(negligible) * pair.share_1 * pair.share_2, Real(equal_normals)));
   for (int i = 0; i < most_steps; ++i) {
     const auto jet_1 = pair.lift_1(answer.touch.point_1, answer.touch.normal_1);
@@ -303,8 +309,16 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
     }
     solve(pair, jet_1, jet_2, basis, step);
     const Real moved = squared_size(pair, step);
-    const MaskType<Real> solved =
-        (mismatch < Real(equal_normals * equal_normals)) & (offset < square(Real(16.0) * pair.round_off));
+    const Real blur = Real(16.0) * pair.round_off;
+    MaskType<Real> solved = (mismatch < Real(equal_normals * equal_normals)) & (offset < square(blur));
+    if (i >= patient_steps) {
+      const Real noise =
+          min(Real(3.0) * pair.round_off * pair.length * trace(matrix(shape_1 + shape_2)), Real(blurred_normals));
+      const MaskType<Real> lost = (mismatch < square(noise)) & (mismatch >= last_mismatch) & (offset < square(blur));
+      blurred = (lost & !solved & !answer.converged) | (blurred & answer.converged);
+      solved = solved | lost;
+    }
+    last_mismatch = mismatch;
     limit(step, moved, Real(longest_step));
     const Touch<Real> next = advance(jet_1, jet_2, basis, step, pair.length);
     // Parallel normals have no tangential mismatch either.
@@ -322,6 +336,11 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
     if (all(answer.converged)) break;
   }
   answer.normal = normalised(answer.touch.normal_1 - answer.touch.normal_2);
+  if (any(blurred)) {
+    // The flatter body knows the normal better, and its support point depends on it more.
+    const MaskType<Real> by_1 = trace(matrix(answer.shape_1)) <= trace(matrix(answer.shape_2));
+    answer.normal = select(blurred, select(by_1, answer.touch.normal_1, -answer.touch.normal_2), answer.normal);
+  }
   answer.overlap = dot(answer.touch.point_1 - answer.touch.point_2, answer.normal);
   return answer;
 }
@@ -329,6 +348,33 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
 template <class Pair, class Real = typename Pair::Number>
 HWY_INLINE Real overlap_along(const Pair& pair, const V3<Real>& direction) {
   return dot(pair.support_1(direction).point - pair.support_2(-direction).point, direction);
+}
+
+/// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
+template <class Real>
+HWY_INLINE Real overlap_tolerance(const Real& length, const Real& extent) {
+  return Real(1e-12) * length + Real(1e-14) * extent;
+}
+
+/// The best of the centre line and both bodies' normals on it.
+template <class Lifts, class Supports, class Real = typename Lifts::Number>
+HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
+  const Real zero(0.0);
+  // From coincident centres any direction is as good a start.
+  const V3<Real> toward =
+      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
+  const V3<Real> centre_line = normalised(toward);
+  const V3<Real> origin{zero, zero, zero};
+  const V3<Real> others[] = {lifts.normal_1(toward, toward), -lifts.normal_2(origin, -toward)};
+  V3<Real> best = centre_line;
+  Real least = overlap_along(supports, best);
+  for (const V3<Real>& other : others) {
+    const Real overlap = overlap_along(supports, other);
+    const MaskType<Real> better = overlap < least;
+    best = select(better, other, best);
+    least = select(better, overlap, least);
+  }
+  return best;
 }
 
 /// The first Newton step of a warm start. The bodies have moved, but each surface is what it was at its cached point:
@@ -412,6 +458,57 @@ HWY_NOINLINE Touch<Real> descend(const Lifts& lifts, const Supports& supports, V
     jet_2 = select(better, next_2, jet_2);
     done = done | near | (radius < Real(effort.shortest_step));
     if (all(done)) break;
+  }
+  return {jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
+}
+
+/// The body that leads gives its normal beneath the point where the other supports that normal, and so on: the error
+/// falls by the ratio of their curvatures. Reaches a flat face of a large body, where Newton's method has nothing to go
+/// by.
+template <class Lift, class Support, class Real>
+HWY_INLINE Touch<Real> follow(const Lift& lift, const Support& support, V3<Real> point, V3<Real> normal) {
+  constexpr int rounds = 12, corrections = 3;
+  for (int i = 1;; ++i) {
+    const auto follower = support(-normal);
+    for (int k = 0; k < corrections; ++k) {
+      const V3<Real> apart = follower.point - point;
+      const auto leader = lift(point + apart - dot(apart, normal) * normal, normal);
+      point = leader.point;
+      normal = leader.normal;
+    }
+    if (i == rounds) return {point, normal, follower.point, follower.normal};
+  }
+}
+
+/// Newton's method, damped: every step that is kept lessens what is wrong with normals and points together. Where
+/// normals turn with a high power of the way, a whole step from a face goes over its rim.
+template <class Pair, class Real = typename Pair::Number>
+HWY_NOINLINE Touch<Real> approach(const Pair& pair, const Touch<Real>& start) {
+  constexpr int most_steps = 100;
+  constexpr double shortest = 1e-12;
+  const Real zero(0.0);
+  auto jet_1 = pair.lift_1(start.point_1, start.normal_1);
+  auto jet_2 = pair.lift_2(start.point_2, start.normal_2);
+  const auto wrong_in = [](const Step<Real>& step) {
+    return dot(step.mismatch, step.mismatch) + dot(step.offset, step.offset);
+  };
+  Real reach(longest_step);
+  for (int i = 0; i < most_steps; ++i) {
+    const TangentBasis<Real> basis = tangent_basis(jet_1.normal);
+    Step<Real> step = residual(pair, jet_1, jet_2, basis);
+    const Real wrong = wrong_in(step);
+    solve(pair, jet_1, jet_2, basis, step);
+    limit(step, squared_size(pair, step), reach);
+    const Touch<Real> ahead = advance(jet_1, jet_2, basis, step, pair.length);
+    const auto next_1 = pair.lift_1(ahead.point_1, ahead.normal_1);
+    const auto next_2 = pair.lift_2(ahead.point_2, ahead.normal_2);
+    const Real left = wrong_in(residual(pair, next_1, next_2, tangent_basis(next_1.normal)));
+    const MaskType<Real> moving = reach >= Real(shortest);
+    const MaskType<Real> better = moving & (left < wrong) & (dot(next_1.normal, next_2.normal) < zero);
+    jet_1 = select(better, next_1, jet_1);
+    jet_2 = select(better, next_2, jet_2);
+    reach = select(better, min(Real(2.0) * reach, Real(longest_step)), Real(0.25) * reach);
+    if (!any(moving)) break;
   }
   return {jet_1.point, jet_1.normal, jet_2.point, jet_2.normal};
 }

@@ -281,12 +281,6 @@ HWY_NOINLINE Answer<Real> newton(const Pair& pair, const Touch<Real>& start, int
 /// Of a coordinate, relative to its size.
 constexpr double round_off = 2.2e-16;
 
-/// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
-template <class Real>
-HWY_INLINE Real overlap_tolerance(const Real& length, const Real& extent) {
-  return Real(1e-12) * length + Real(1e-14) * extent;
-}
-
 /// Where only one curvature is bounded, both bodies are treated by their responses.
 template <class Real>
 HWY_INLINE Mat2<Real> response_of(const Sym2<Real>& shape, const Real& length) {

@@ -58,24 +58,6 @@ class ParticlePair {
   Real size_1_, size_2_;
 };
 
-/// The best of the centre line and both bodies' normals on it.
-template <class Lifts, class Supports, class Real = typename Lifts::Number>
-HWY_INLINE V3<Real> starting_direction(const Lifts& lifts, const Supports& supports) {
-  const V3<Real> toward = lifts.centre_2;
-  const Real zero(0.0);
-  const V3<Real> others[] = {lifts.lift_1(toward, toward).normal,
-                             -lifts.lift_2(V3<Real>{zero, zero, zero}, -toward).normal};
-  V3<Real> best = normalised(toward);
-  Real least = overlap_along(supports, best);
-  for (const V3<Real>& other : others) {
-    const Real overlap = overlap_along(supports, other);
-    const MaskType<Real> better = overlap < least;
-    best = select(better, other, best);
-    least = select(better, overlap, least);
-  }
-  return best;
-}
-
 /// The deepest minimum of those found so far.
 template <class Pair>
 class Candidates {
@@ -147,9 +129,7 @@ template <class Kind1, class Kind2>
 void solve_with_care(const Jobs& jobs) {
   const ParticlePair<double, Kind1, Kind2> pair(jobs);
   Candidates<ParticlePair<double, Kind1, Kind2>> candidates(pair);
-  const V3<double>& toward = pair.placement.centre_2;
-  std::vector<V3<double>> starts, of_body_2;
-  if (dot(toward, toward) > 0.0) starts.push_back(starting_direction(pair.lifts(), pair.supports()));
+  std::vector<V3<double>> starts{first_direction(pair.lifts(), pair.supports())}, of_body_2;
   add_normals(pair.numbers_1, starts);
   add_normals(pair.numbers_2, of_body_2);
   for (const V3<double>& normal : of_body_2) starts.push_back(-pair.placement.rotation.apply(normal));
@@ -173,7 +153,7 @@ void solve_cold(const Jobs& jobs, Gap gap, std::vector<PairJob*>& unsolved) {
   const auto supports = pair.supports();
   std::uint64_t solved = 0;
   Real least(0.0);
-  const Touch<Real> touch = descend(lifts, supports, starting_direction(lifts, supports), usual, least);
+  const Touch<Real> touch = descend(lifts, supports, first_direction(lifts, supports), usual, least);
   if (gap == Gap::skip) {
     solved = bits(least < Real(0.0)) & jobs.all();
     write_direction(jobs, pair.placement, touch.normal_1, least, ContactStatus::separated, solved);

@@ -17,33 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// The best of the centre line and both bodies' normals on it.
-template <class Lifts, class Supports, class Real = typename Lifts::Number>
-HWY_INLINE V3<Real> first_direction(const Lifts& lifts, const Supports& supports) {
-  const Real zero(0.0);
-  // From coincident centres any direction is as good a start.
-  const V3<Real> toward =
-      select(dot(lifts.centre_2, lifts.centre_2) > zero, lifts.centre_2, V3<Real>{zero, zero, lifts.length});
-  const V3<Real> centre_line = normalised(toward);
-  const V3<Real> origin{zero, zero, zero};
-  const V3<Real> others[] = {lifts.normal_1(toward, toward), -lifts.normal_2(origin, -toward)};
-  V3<Real> best = centre_line;
-  Real least = overlap_along(supports, best);
-  for (const V3<Real>& other : others) {
-    const Real overlap = overlap_along(supports, other);
-    const MaskType<Real> better = overlap < least;
-    best = select(better, other, best);
-    least = select(better, overlap, least);
-  }
-  return best;
-}
-
-/// Two ways to the same minimum agree on the overlap within this: relative to L, and to the numbers it is made of.
-template <class Real>
-HWY_INLINE Real overlap_tolerance(const Problem<Real>& problem) {
-  return Real(1e-12) * problem.length + Real(1e-14) * problem.coordinate_size();
-}
-
 /// Shape operators that were cached predict the first step.
 template <class Real, class Power>
 HWY_INLINE Answer<Real> warm_answer(
@@ -134,7 +107,7 @@ HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Or
     if (all(solved)) return bits(solved);
   }
   const Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, effort.newtons);
-  const MaskType<Real> good = answer.converged & (answer.overlap <= least + overlap_tolerance(problem)) & !solved;
+  const MaskType<Real> good = answer.converged & (answer.overlap <= least + problem.overlap_tolerance()) & !solved;
   solved = solved | write_answer(problem, answer, good, rows);
   if (!all(solved)) write_touch(problem, touch, (least == least) & !solved, rows);
   return bits((least == least) & solved);
@@ -157,24 +130,41 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
   const auto supports = problem.template as<SupportSurface<SharpJet<Real>, Real, RealPower>>();
   V3<Real> best_direction = first_direction(lifts, supports);
   Real least = overlap_along(supports, best_direction);
-  const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
-    Real lowest(0.0);
-    const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+  const auto finish = [&](const Touch<Real>& touch, const Real& lowest, MaskType<Real> open) HWY_ATTR {
     Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, stubborn.newtons);
-    answer.converged = answer.converged & (answer.overlap <= lowest + overlap_tolerance(problem)) & open;
+    answer.converged = answer.converged & (answer.overlap <= lowest + problem.overlap_tolerance()) & open;
     const MaskType<Real> lower = open & (lowest < least);
     best_direction = select(lower, touch.normal_1, best_direction);
     least = select(lower, lowest, least);
     return answer;
   };
+  const auto attempt = [&](const V3<Real>& direction, MaskType<Real> open) HWY_ATTR {
+    Real lowest(0.0);
+    const Touch<Real> touch = descend(lifts, supports, direction, stubborn, lowest);
+    return finish(touch, lowest, open);
+  };
   Answer<Real> best = attempt(best_direction, least == least);
-  const MaskType<Real> open = !best.converged;
-  for (int k = 0; k < 12 && any(open); ++k) {
-    const Answer<Real> answer = attempt(axis_direction(problem, k), open);
+  const auto improve = [&](const Answer<Real>& answer) HWY_ATTR {
     best = select(answer.converged & ((answer.overlap < best.overlap) | !(best.converged)), answer, best);
+  };
+  if (const MaskType<Real> open = !best.converged; any(open)) {
+    const V3<Real> normal = best_direction;
+    const auto lift_1 = [&](const V3<Real>& p, const V3<Real>& n) HWY_ATTR { return lifts.lift_1(p, n); };
+    const auto lift_2 = [&](const V3<Real>& p, const V3<Real>& n) HWY_ATTR { return lifts.lift_2(p, n); };
+    const auto support_1 = [&](const V3<Real>& n) HWY_ATTR { return supports.support_1(n); };
+    const auto support_2 = [&](const V3<Real>& n) HWY_ATTR { return supports.support_2(n); };
+    const Touch<Real> on_1 = follow(lift_1, support_2, support_1(normal).point, normal);
+    const Touch<Real> on_2 = follow(lift_2, support_1, support_2(-normal).point, -normal);
+    const Touch<Real> swapped{on_2.point_2, on_2.normal_2, on_2.point_1, on_2.normal_1};
+    Real lowest(0.0);
+    const Touch<Real> lowered = descend(lifts, supports, normal, usual, lowest);
+    for (const Touch<Real>& touch : {on_1, swapped, approach(lifts, lowered)})
+      improve(finish(touch, overlap_along(supports, touch.normal_1), open));
   }
+  const MaskType<Real> open = !best.converged;
+  for (int k = 0; k < 12 && any(open); ++k) improve(attempt(axis_direction(problem, k), open));
   const MaskType<Real> found =
-      write_answer(problem, best, best.converged & (best.overlap <= least + overlap_tolerance(problem)), rows);
+      write_answer(problem, best, best.converged & (best.overlap <= least + problem.overlap_tolerance()), rows);
   const MaskType<Real> finite = least == least;
   const Real zero(0.0);
   write_failure(problem, best_direction, least, ContactStatus::not_converged, finite & !found, rows);
@@ -220,7 +210,7 @@ void confirm(const Tables& tables, Index i) {
   const auto problem = problem_of<double>(rows);
   const auto lifts = problem.as<MixedSurface<double>>();
   const auto supports = problem.as<SupportSurface<SharpJet<double>, double, RealPower>>();
-  const double equal = overlap_tolerance(problem);
+  const double equal = problem.overlap_tolerance();
   double least = contacts.columns[3][i];
   const V3<double> world{contacts.columns[0][i], contacts.columns[1][i], contacts.columns[2][i]};
   V3<double> normal = problem.frame.apply_inverse(problem.swapped ? -world : world);

@@ -179,6 +179,7 @@ struct Problem {
   Real length;              ///< the smaller of the two
 
   HWY_INLINE Real coordinate_size() const { return size_1 + size_2 + norm(centre_2); }
+  HWY_INLINE Real overlap_tolerance() const { return HWY_NAMESPACE::overlap_tolerance(length, coordinate_size()); }
 
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {

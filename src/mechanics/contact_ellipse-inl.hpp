@@ -37,7 +37,7 @@ HWY_INLINE Real fitted_log_axis_ratio(const Real& t) {
       18.422608432295814,  -88.24359872250852,    240.2976809222717,   -398.0298337396248, 416.93162263910136,
       -272.4257329122029,  102.02282616185171,    -16.793287963863627,
   };
-  return t * polynomial(slope, t / (t + Real(8.0)));
+  return t * polynomial(slope, t * reciprocal(t + Real(8.0)));
 }
 
 /// R_i ≥ R_j > 0, R_i/R_j ≤ largest_radius_ratio.
@@ -57,8 +57,8 @@ HWY_INLINE Ellipse<Real> ellipse_of(const Real& R_i, const Real& R_j) {
 
   // Newton's step in x = ln(b/a) for ln((1 − m) D/B) = ln ratio, from dD/dx = C − D, dB/dx = −m1 C. The start is so
   // close that one step leaves less than round-off. (1 − m) D − ratio·B is written for whichever end keeps its digits.
-  const Real mismatch = select(e2 < half, deviation * B - e2 * (D - C), m1 * D - ratio * B) / (ratio * B);
-  const Real step = -mismatch * (one - half * mismatch) * B * D / (B * D + C * (B + m1 * D));
+  const Real mismatch = select(e2 < half, deviation * B - e2 * (D - C), m1 * D - ratio * B) * reciprocal(ratio * B);
+  const Real step = -mismatch * (one - half * mismatch) * B * D * reciprocal(B * D + C * (B + m1 * D));
 
   // Everything is carried along the step by its Taylor series: dK/dx = −B, dE/dx = m1 D, dm/dx = −2 m1.
   const Real square_step = half * step * step;

@@ -53,7 +53,7 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     const auto state = hertz_state(ellipse, Batch(pair.modulus), overlap);
     // D/K from the ellipse's own equation R_j/R_i = m1 D/B with K = B + D.
     const Batch ratio = minor_radius / major_radius;
-    const Batch share = ratio / fma(ellipse.axis_ratio, ellipse.axis_ratio, ratio);
+    const Batch share = ratio * reciprocal(fma(ellipse.axis_ratio, ellipse.axis_ratio, ratio));
     const Batch kappa_major = fma(Batch(pair.coupling), share, one);
     const Batch kappa_minor = fma(Batch(pair.coupling), one - share, one);
 
@@ -93,14 +93,18 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       stored_before = select(held & (line.rim_root > zero), stored(line), zero);
       sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
     }
-    advance(line, overlap, {along / kappa_major, across / kappa_minor}, Batch(pair.friction));
-    const PlanarOf<Batch> sheared = traction(line);
-
     Batch dashpot = Batch(pair.damping_time) * state.stiffness;
     if (pair.damping_factor > 0.0)
       dashpot += Batch(pair.damping_factor) *
                  sqrt(Batch(2.0 / 3.0) * load<Batch>(&input.reduced_mass[start], count) * state.stiffness);
     const Batch normal_force = max(fma(dashpot, rate, state.force), zero);
+    // Every spring slides at the same share of its limit as the load is of the elastic one; held finite for δ → 0.
+    const Batch unlimited(1e30), smallest(smallest_normal);
+    const Batch load = min(max(fma(dashpot * rate, reciprocal(max(state.force, smallest)), one), zero), unlimited);
+    const PlanarOf<Batch> sheared =
+        advance(line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)},
+                Batch(pair.friction) * load);
+
     const V3<Batch> force =
         (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
     const V3<Batch> none{zero, zero, zero};
@@ -128,9 +132,9 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     }
 
     // Bad numbers leave the memory as it was, an open contact none.
-    const auto remember = [&](Batch value, mindlin::MemoryBlock::Lanes& to) HWY_ATTR {
-      const Batch now = select(pressed, value, select(good, zero, remembered(to)));
-      store(now, &to[lane], lanes<Batch>());
+    const bool none_else = !any(!pressed);
+    const auto remember = [&](const Batch& value, mindlin::MemoryBlock::Lanes& to) HWY_ATTR {
+      store(none_else ? value : select(pressed, value, select(good, zero, remembered(to))), &to[lane], lanes<Batch>());
     };
     for (int i = 0; i < line.most; ++i) {
       const auto k = static_cast<std::size_t>(i);

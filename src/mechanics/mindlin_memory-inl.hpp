@@ -7,6 +7,9 @@
 #define OSCULATE_MECHANICS_MINDLIN_MEMORY_INL
 #endif
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "core/vector-inl.hpp"
@@ -21,6 +24,8 @@ namespace HWY_NAMESPACE {
 inline constexpr double straight = 1e-10;
 /// Points nearer than this share of the overlap are one.
 inline constexpr double nearest = 1e-15;
+/// What a reciprocal is taken of at the least.
+inline constexpr double smallest_normal = std::numeric_limits<double>::min();
 
 /// A spring by the root of its depth, which is what forces and energies are integrals over.
 template <class Real>
@@ -63,8 +68,7 @@ struct ConeOf {
   HWY_INLINE LayerOf<Real> projected(const LayerOf<Real>& layer) const {
     const Real r = radius(layer), size = fma(layer.x, layer.x, layer.y * layer.y);
     const MaskType<Real> out = size > r * r;
-    if (!any(out)) return layer;
-    const Real share = select(out, r / sqrt(select(out, size, Real(1.0))), Real(1.0));
+    const Real share = select(out, r * inverse_sqrt(select(out, size, Real(1.0))), Real(1.0));
     return {layer.root, layer.x * share, layer.y * share};
   }
   /// Where the line from a spring that sticks to one that slides leaves the cone; the second itself if it sticks too.
@@ -91,25 +95,20 @@ struct PlanarOf {
   Real x, y;
 };
 
-/// ∫ η^{−1/2} s_x², s_y² dη along a straight piece: a polynomial of degree 4 in √η, for which three Gauss points are
-/// exact.
+/// ∫ η^{−1/2} s_x², s_y² dη along a straight piece from a to b. With v the share of the way in √η that is
+/// 2 (√η_b − √η_a) ∫ s² dv, s = s_a + (s_b − s_a) ((1 − k) v + k v²), k = (√η_b − √η_a)/(√η_b + √η_a): mean and
+/// variance of s over v, both of which keep their sign.
 template <class Real>
 HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
-  static constexpr double node = 0.7745966692414834;  // √(3/5)
   const Real width = b.root - a.root;
-  const Real skew = Real(0.5) * width / (b.root + a.root);
-  PlanarOf<Real> total{Real(0.0), Real(0.0)};
-  const auto gauss = [&](double place, double weight) HWY_ATTR {
-    // The depth's share of the way where √η is at `place` of its own, in −1 … 1.
-    const Real t = Real(0.5 * (1.0 + place)) * fma(Real(place - 1.0), skew, Real(1.0));
-    const Real x = fma(t, b.x - a.x, a.x), y = fma(t, b.y - a.y, a.y);
-    total.x = fma(Real(weight) * x, x, total.x);
-    total.y = fma(Real(weight) * y, y, total.y);
+  const Real k = width * reciprocal(b.root + a.root);
+  const Real middle = fma(Real(-1.0 / 6.0), k, Real(0.5)), spread = fma(Real(1.0 / 180.0) * k, k, Real(1.0 / 12.0));
+  const auto mean_square = [&](const Real& from, const Real& to) HWY_ATTR {
+    const Real rise = to - from, mean = fma(rise, middle, from);
+    return fma(mean, mean, spread * rise * rise);
   };
-  gauss(-node, 5.0 / 9.0);
-  gauss(0.0, 8.0 / 9.0);
-  gauss(node, 5.0 / 9.0);
-  return {width * total.x, width * total.y};
+  const Real twice = width + width;
+  return {twice * mean_square(a.x, b.x), twice * mean_square(a.y, b.y)};
 }
 
 /// The same over the whole polyline. @pre overlap > 0 wherever the result is used
@@ -131,7 +130,7 @@ HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
   for (int i = 0; i < line.most; ++i) {
     const LayerOf<Real>& a = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
-    const Real mean = fma(a.root, a.root / (a.root + b.root), b.root);
+    const Real mean = fma(a.root, a.root * reciprocal(a.root + b.root), b.root);
     sum.x += mean * (a.x - b.x);
     sum.y += mean * (a.y - b.y);
   }
@@ -147,10 +146,11 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
   const LayerOf<Real> rim = line.rim();
   LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
   Real least(1.0), smallest(std::numeric_limits<double>::infinity());
+  LayerOf<Real> a = line.at[0], at = line.at[1];
+  Real left = at.depth() - a.depth();
   for (int i = 1; i < line.most; ++i) {
-    const LayerOf<Real>&a = line.at[i - 1], &at = line.at[i];
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
-    const Real left = at.depth() - a.depth(), right = b.depth() - at.depth(), stretch = left + right;
+    const Real right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
     const Real area = abs(bend_x) + abs(bend_y);
@@ -160,6 +160,7 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
     before = select(better, a, before);
     point = select(better, at, point);
     after = select(better, b, after);
+    a = at, at = b, left = right;
   }
   const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
   for (int i = 1; i < line.most; ++i) {
@@ -170,23 +171,26 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
   return {select(over, chord.x - first.x - second.x, zero), select(over, chord.y - first.y - second.y, zero)};
 }
 
-/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. The traction t
+/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. Returns the
+/// traction that is left. The traction t
 /// bounds the energy from below, ∫ η^{−1/2} s² dη ≥ (4/3 t)²/(2 δ^{1/2}), which is enough where the rise is small
 /// beside it; else the energy itself is found.
 template <class Real>
-HWY_INLINE void give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
+HWY_INLINE PlanarOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
   static constexpr double small = 0.01;
   const Real zero(0.0), one(1.0);
   const PlanarOf<Real> sheared = traction(line);
-  const Real share = Real(8.0 / 9.0) / line.rim_root;
+  const Real share = Real(8.0 / 9.0) * reciprocal(line.rim_root);
   PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
   if (any((rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y))) energy = squared(line);
+  const Real least(smallest_normal);
   const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
-    const MaskType<Real> needed = more > zero;
-    return select(needed, sqrt(max(one - more / select(needed, of, one), zero)), one);
+    const Real left = max(one - more * reciprocal(max(of, least)), least);
+    return select(more > zero, left * inverse_sqrt(left), one);
   };
   const Real scale_x = shrink(rise.x, energy.x), scale_y = shrink(rise.y, energy.y);
   for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
+  return {scale_x * sheared.x, scale_y * sheared.y};
 }
 
 HWY_INLINE int largest(double count) {
@@ -196,23 +200,35 @@ HWY_INLINE int largest(Batch count) {
   return static_cast<int>(hn::GetLane(hn::MaxOfLanes(Tag(), count.v)));
 }
 
-/// One step, see mindlin::advance. @pre overlap > 0
+/// Added to a small whole number, this leaves its binary digits as the last ones of the sum.
+inline constexpr double whole_bits = 0x1p52;
+HWY_INLINE bool has_digit(double sum, int digit) {
+  return (std::bit_cast<std::uint64_t>(sum) & static_cast<std::uint64_t>(digit)) != 0;
+}
+HWY_INLINE Mask has_digit(Batch sum, int digit) {
+  const IntTag di;
+  return {hn::RebindMask(Tag(), hn::TestBit(hn::BitCast(di, sum.v), hn::Set(di, digit)))};
+}
+
+/// One step, see mindlin::advance; returns the traction after it. @pre overlap > 0
 template <class Real>
-HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift, const Real& friction) {
+HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift,
+                                  const Real& friction) {
   constexpr int room = SpringsOf<Real>::room;
   const Real zero(0.0), one(1.0);
-  const int last = line.most;  // the place of the old rim
+  const int last = std::min(line.most, mindlin::layers);  // the place of the old rim
   const Real rim_root = sqrt(overlap);
   const ConeOf<Real> cone{overlap, rim_root, friction};
 
   // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
   LayerOf<Real> trial[mindlin::layers + 1];
+  MaskType<Real> beyond[mindlin::layers + 1];  // outside the new rim
   for (int i = 0; i < last; ++i) trial[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
   trial[last] = {line.rim_root, shift.x, shift.y};
+  for (int i = 0; i <= last; ++i) beyond[i] = cone.at_rim(trial[i]);
   LayerOf<Real> inner = trial[0], outer = trial[last];
   for (int i = 0; i < last; ++i) {
-    const MaskType<Real> beyond = cone.at_rim(trial[i]), next_beyond = cone.at_rim(trial[i + 1]);
-    const MaskType<Real> cut = (!beyond) & next_beyond;
+    const MaskType<Real> cut = (!beyond[i]) & beyond[i + 1];
     inner = select(cut, trial[i], inner);
     outer = select(cut, trial[i + 1], outer);
   }
@@ -229,10 +245,8 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   LayerOf<Real> sticks = trial[0], slips = end;
   MaskType<Real> inside = zero < one;
   for (int i = last; i >= 0; --i) {
-    const MaskType<Real> beyond = cone.at_rim(trial[i]);
-    const LayerOf<Real> point = select(beyond, end, trial[i]);
-    const MaskType<Real> out = cone.slides(point);
-    tail[i] = inside & (beyond | out);
+    const LayerOf<Real> point = select(beyond[i], end, trial[i]);
+    tail[i] = inside & (beyond[i] | cone.slides(point));
     const MaskType<Real> front = inside & !tail[i];
     sticks = select(front, point, sticks);
     slips = select(front, i == last ? end : trial[i + 1], slips);
@@ -259,7 +273,7 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
   if (any(turns)) {
     LayerOf<Real> last_trial = trial[0], last_next = next[0];
     Real points(1.0);
-    for (int i = 1; i <= last; ++i) last_trial = select(cone.at_rim(trial[i]), last_trial, trial[i]);
+    for (int i = 1; i <= last; ++i) last_trial = select(beyond[i], last_trial, trial[i]);
     for (int i = 1; i <= last + 1; ++i) {
       const MaskType<Real> is_rim = cone.at_rim(next[i]);
       last_next = select(is_rim, last_next, next[i]);
@@ -274,53 +288,50 @@ HWY_INLINE void advance(SpringsOf<Real>& line, const Real& overlap, const Planar
     for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
   }
 
-  // Points on a straight line, or on top of each other, say nothing.
+  // Points on a straight line, or on top of each other, say nothing. Before each other one stand `way` of them.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
-  LayerOf<Real> previous = next[0];
-  Real count(1.0), way[room];  // how many idle points stand before each
-  way[0] = zero;
+  const Real nowhere(whole_bits);
+  Real count(1.0), way[room], farthest = nowhere;
+  way[0] = nowhere;
+  LayerOf<Real> previous = next[0], point = next[1];
+  Real left = point.depth() - previous.depth();
   for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real>& point = next[i];
     const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
-    const Real left = point.depth() - previous.depth(), right = following.depth() - point.depth();
+    const Real right = following.depth() - point.depth();
     const Real stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
-    const MaskType<Real> idle = (bend_x <= rounding * stretch) & (bend_y <= rounding * stretch) & (right > close);
-    const MaskType<Real> keep = !(idle | (left <= close) | (overlap - point.depth() <= close));
-    way[i] = select(keep, Real(double(i)) - count, zero);
-    previous = select(keep, point, previous);
-    count = select(keep, count + one, count);
+    const MaskType<Real> idle = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
+                                (overlap - point.depth() <= close);
+    way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
+    count = select(idle, count, count + one);
+    farthest = max(farthest, way[i]);
+    previous = point, point = following, left = right;
   }
-  // The others move up over them: by one place where their way is odd, then by two where half of it is, and so on.
-  for (int step = 1; step < room; step *= 2) {
-    Real longest(0.0);
+  // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
+  // one does, and so on.
+  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
     for (int i = 0; i <= last + 2; ++i) {
-      const Real half = floor(Real(0.5) * way[i]);
-      const MaskType<Real> leaves = way[i] > half + half;
+      const Real stays = select(has_digit(way[i], step), nowhere, way[i]);
       if (i + step <= last + 2) {
-        const Real other = way[i + step], other_half = floor(Real(0.5) * other);
-        const MaskType<Real> comes = other > other_half + other_half;
+        const MaskType<Real> comes = has_digit(way[i + step], step);
         next[i] = select(comes, next[i + step], next[i]);
-        way[i] = select(comes, other_half, select(leaves, zero, half));
+        way[i] = select(comes, way[i + step], stays);
       } else {
-        way[i] = select(leaves, zero, half);
+        way[i] = stays;
       }
-      longest = max(longest, way[i]);
     }
-    if (!any(longest > zero)) break;
-  }
   line.count = count;
   line.most = largest(count);
   for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
-  if (line.most <= mindlin::layers) return;
+  if (line.most <= mindlin::layers) return traction(line);
   PlanarOf<Real> rise{zero, zero};
   while (line.most > mindlin::layers) {
     const PlanarOf<Real> more = forget_one(line);
     rise.x += more.x, rise.y += more.y;
     line.most = largest(line.count);
   }
-  if (any((rise.x > zero) | (rise.y > zero))) give_back(line, rise);
+  return any((rise.x > zero) | (rise.y > zero)) ? give_back(line, rise) : traction(line);
 }
 
 /// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal

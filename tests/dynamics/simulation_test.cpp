@@ -64,7 +64,7 @@ TEST_CASE("Any number of threads gives the same bits") {
   Simulation one(mixed_scene(1));
   one.advance(2500);
   const State expected = one.state();
-  REQUIRE(one.counts().contacts > 20);
+  REQUIRE(one.counts().contacts > 15);  // enough that something can differ
   REQUIRE(one.counts().rebuilds > 3);
   for (const int threads : {2, 3, 4}) {
     Simulation many(mixed_scene(threads));
@@ -76,7 +76,7 @@ TEST_CASE("Any number of threads gives the same bits") {
 TEST_CASE("A restart goes on with the same bits") {
   Simulation whole(mixed_scene(1));
   whole.advance(2371);
-  REQUIRE(whole.counts().contacts > 20);
+  REQUIRE(whole.counts().contacts > 15);  // enough that something can differ
   const State state = whole.state();
   Simulation again(mixed_scene(2), state);
   CHECK(same(again.state(), state));

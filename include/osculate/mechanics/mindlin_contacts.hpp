@@ -1,6 +1,7 @@
 #pragma once
 // The contacts of a time step, many at once: elliptical Hertz, viscous damping along the normal, Mindlin's partial slip
-// with memory.
+// with memory. What slides is limited by the whole normal force, the dashpot's share included: μ of a spring is
+// μ F_n/F_n,elastic, so that F_t ≤ μF_n in approach as at parting.
 
 #include <array>
 #include <cstddef>
@@ -78,9 +79,8 @@ struct BatchOutput {
                                          ///< trapezoidal rule; all they stored where the contact has opened
 };
 
-/// One step of all contacts. Friction is limited by the elastic part of the normal force, which is the one that the
-/// memory knows. A contact's answer does not depend on its neighbours. Throws InputError only when the spans' lengths
-/// differ or there are not exactly as many blocks as the contacts fill.
+/// One step of all contacts. A contact's answer does not depend on its neighbours. Throws InputError only when the
+/// spans' lengths differ or there are not exactly as many blocks as the contacts fill.
 void contacts(const Pair& pair, const BatchInput& input, std::span<MemoryBlock> memory, const BatchOutput& output);
 
 }  // namespace osculate::mindlin

@@ -41,6 +41,18 @@ std::optional<Dashpot> dashpot_of(const ChosenBySlot& chosen) {
 
 static_assert(stretch % law_lanes == 0);
 
+LawStatus said(mindlin::BatchStatus status) {
+  switch (status) {
+    case mindlin::BatchStatus::pressed:
+      return LawStatus::closed;
+    case mindlin::BatchStatus::open:
+      return LawStatus::open;
+    case mindlin::BatchStatus::bad_input:
+      break;
+  }
+  return LawStatus::bad_input;
+}
+
 void evaluate_mindlin(const mindlin::Pair& pair, const LawInput& input, double* memory, const LawOutput& output) {
   alignas(64) std::array<std::array<double, stretch>, 6> scratch;
   auto& [rate, x, y, z, spin, power] = scratch;
@@ -87,13 +99,10 @@ void evaluate_mindlin(const mindlin::Pair& pair, const LawInput& input, double* 
                        .friction_loss = out.friction_loss});
     for (std::size_t i = 0; i < out.viscous_loss.size(); ++i) out.viscous_loss[i] = time_step * power[i];
     std::ranges::fill(out.hysteresis_loss, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool large = !in.smallest_radius.empty() && !(a_c[i] < 0.5 * in.smallest_radius[i]);
-      out.status[i] = status[i] == mindlin::BatchStatus::bad_input ? LawStatus::bad_input
-                      : status[i] == mindlin::BatchStatus::open    ? LawStatus::open
-                      : large                                      ? LawStatus::large_contact
-                                                                   : LawStatus::closed;
-    }
+    for (std::size_t i = 0; i < count; ++i) out.status[i] = said(status[i]);
+    for (std::size_t i = 0; i < in.smallest_radius.size(); ++i)
+      if (out.status[i] == LawStatus::closed && !(a_c[i] < 0.5 * in.smallest_radius[i]))
+        out.status[i] = LawStatus::large_contact;
   }
 }
 

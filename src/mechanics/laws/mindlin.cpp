@@ -1,5 +1,6 @@
 // Partial slip with memory.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -58,7 +59,11 @@ Part bind(const Binding& binding) {
         .overlap = contact.overlap,
         .displacement = contact.displacement().x * contact.major + contact.displacement().y * contact.minor,
         .spin = contact.spin};
-    const mindlin::Law law{.coefficient = coefficient, .compliance_ratio = ratio, .friction = friction};
+    // Every spring slides at the same share of its limit as the load is of the elastic one; held finite for δ → 0.
+    constexpr double unlimited = 1e30;
+    const double load =
+        contact.elastic > 0.0 ? std::min(friction_load(contact) / contact.elastic, unlimited) : unlimited;
+    const mindlin::Law law{.coefficient = coefficient, .compliance_ratio = ratio, .friction = friction * load};
     const mindlin::Springs turned = mindlin::carried(springs, motion);
     const double stored_before = turned.count > 0 ? mindlin::stored_energy(turned, coefficient, ratio) : 0.0;
     if (!contact.closed) {
