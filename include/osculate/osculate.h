@@ -137,13 +137,13 @@ OSCULATE_API size_t osculate_cache_size(void);
 typedef struct osculate_contact {
   int32_t status;        /**< OSCULATE_TOUCHING, ... */
   double normal[3];      /**< unit, from body 1 to body 2 */
-  double overlap;        /**< (on_1 - on_2) . normal [m]; negative is a gap */
+  double overlap;        /**< (on_1 - on_2) along the normal [m]; negative is a gap */
   double on_1[3];        /**< body 1's surface point with outward normal `normal` [m] */
   double on_2[3];        /**< body 2's surface point with outward normal -`normal` [m]; contact point: their mean */
   double curvature_1[2]; /**< principal curvatures of body 1 there, the larger one first, > 0 where convex [1/m] */
-  double direction_1[3]; /**< unit tangent of the larger one */
-  double curvature_2[2]; /**< of body 2 [1/m] */
-  double direction_2[3]; /**< of body 2 */
+  double direction_1[3]; /**< unit tangent of body 1's larger one */
+  double curvature_2[2]; /**< principal curvatures of body 2, the larger one first [1/m] */
+  double direction_2[3]; /**< unit tangent of body 2's larger one */
   double R_i;           /**< larger radius of relative curvature [m]; infinite along a flat direction [KDY23 (3),(4)] */
   double R_j;           /**< smaller radius [m] */
   double major_axis[3]; /**< unit tangent along R_i, the contact ellipse's major axis */

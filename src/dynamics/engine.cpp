@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "dynamics/driven_travel.hpp"
+#include "dynamics/fault_text.hpp"
 #include "dynamics/move_bodies.hpp"
 
 namespace osculate {
@@ -140,21 +142,8 @@ void Simulation::Engine::move_driven(Driven& driven) {
   record.velocity = bodies_.velocity[i];
   record.last_velocity = moving.velocity;
   record.mean_angular_velocity = record.last_angular_velocity = moving.angular_velocity;
-  step_travel_[i] = wall_travel(i, driven.displacement, driven.turn);
-}
-
-/// How far the surface of a driven body moved where particles are, at most. A wall that slides or turns in itself does
-/// not move.
-double Simulation::Engine::wall_travel(std::size_t body, const Vec3& displacement, const Vec3& turn) const {
-  const BodyShape& shape = world_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
-  if (is_particle(shape.shape)) return displacement.norm() + turn.norm() * shape.bounding_radius;
-  const double arm = extent_ + (bodies_.position[body] - centre_).norm();
-  const Vec3 axis = bodies_.orientation[body] * Vec3::UnitZ();
-  if (std::holds_alternative<HalfSpace>(shape.shape))
-    return std::fabs(displacement.dot(axis)) + turn.cross(axis).norm() * arm;
-  if (std::holds_alternative<Cylinder>(shape.shape))
-    return displacement.cross(axis).norm() + turn.cross(axis).norm() * arm;
-  return displacement.norm();
+  step_travel_[i] = driven_travel(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])], bodies_.pose(i),
+                                  {driven.displacement, driven.turn}, {centre_, extent_});
 }
 
 void Simulation::Engine::rebuild() {
@@ -177,7 +166,7 @@ void Simulation::Engine::rebuild() {
   for (const BodyShape& shape : world_.shapes)
     if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
   extent_ = 0.5 * (upper - lower).norm() + largest + world_.skin;
-  pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_);
+  pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
 }
@@ -217,22 +206,8 @@ std::string Simulation::Engine::when() const {
 
 void Simulation::Engine::stop_at(const PairChunk& chunk) const {
   const BodyPair& pair = chunk.fault_pair;
-  const std::string bodies = "bodies " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
-  switch (chunk.fault) {
-    case Fault::too_deep:
-      throw StepError(when() + bodies + " overlap by " + number(chunk.fault_overlap) +
-                      " m, more than a quarter of the smaller one's half width");
-    case Fault::degenerate:
-      throw StepError(when() + bodies + " have a pose that is not finite");
-    case Fault::step_too_long:
-      throw StepError(when() + "the time step is too long for the contact of " + bodies +
-                      ", which lasts less than six steps; see time_step_limits");
-    case Fault::not_converged:
-      throw StepError(when() + "no common normal was found for " + bodies);
-    default:
-      throw StepError(when() + "the contact law gave no answer for " + bodies + " at an overlap of " +
-                      number(chunk.fault_overlap) + " m");
-  }
+  throw StepError(when() +
+                  fault_text(chunk, "bodies " + std::to_string(pair.first) + " and " + std::to_string(pair.second)));
 }
 
 EnergyLedger Simulation::Engine::energy() const {
@@ -288,8 +263,8 @@ std::vector<Contact> Simulation::Engine::contacts() const {
     if (pairs.size() == 0) continue;
     const ContactColumns geometry = geometry_of(chunk, world_, bodies_, kinematics_);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const std::int32_t one = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].first)];
-      const std::int32_t two = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].second)];
+      const std::int32_t one = chunk.bodies[pairs.bodies[i].first];
+      const std::int32_t two = chunk.bodies[pairs.bodies[i].second];
       const ContactGeometry found = geometry.get(i);
       const Vec3 difference =
           bodies_.position[static_cast<std::size_t>(two)] - bodies_.position[static_cast<std::size_t>(one)];

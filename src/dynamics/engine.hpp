@@ -38,7 +38,6 @@ class Simulation::Engine {
   void make_room();
   void move();
   void move_driven(Driven& driven);
-  double wall_travel(std::size_t body, const Vec3& displacement, const Vec3& turn) const;
   void rebuild();
   void evaluate_pairs();
   void gather(double kick_time);

@@ -1,0 +1,15 @@
+# Whether osculate-lammps is built: OSCULATE_HAS_LAMMPS. MPI is looked for where LAMMPS is, and only there.
+set(OSCULATE_HAS_LAMMPS OFF)
+if(OSCULATE_WITH_LAMMPS AND OSCULATE_BUILD_PROGRAM)
+  find_path(LAMMPS_INCLUDE_DIR lammps/pair.h)
+  find_library(LAMMPS_LIBRARY lammps)
+  enable_language(C) # FindMPI of the C++ component asks for it
+  find_package(MPI QUIET COMPONENTS CXX)
+  if(LAMMPS_INCLUDE_DIR AND LAMMPS_LIBRARY AND MPI_CXX_FOUND)
+    set(OSCULATE_HAS_LAMMPS ON)
+  elseif(OSCULATE_WITH_LAMMPS STREQUAL "AUTO")
+    message(STATUS "osculate: no LAMMPS found, building without osculate-lammps (Debian: liblammps-dev)")
+  else()
+    osculate_missing("LAMMPS with its headers, or MPI," liblammps-dev "osculate-lammps (OSCULATE_WITH_LAMMPS)")
+  endif()
+endif()
