@@ -13,6 +13,10 @@ std::string number(double value) {
   return buffer;
 }
 
+std::string range_of(const LawParameter& parameter) {
+  return parameter.unit.empty() ? parameter.range() : parameter.range() + " " + std::string(parameter.unit);
+}
+
 }  // namespace
 
 std::string quoted(std::string_view text) {
@@ -28,11 +32,10 @@ std::map<std::string, double> completed(const std::map<std::string, double>& giv
     const auto found = given.find(std::string(parameter.name));
     if (found == given.end() && !parameter.standard)
       throw InputError(where, "no " + quoted(parameter.name),
-                       std::string(parameter.meaning) + ", " + parameter.range() + " " + std::string(parameter.unit));
+                       std::string(parameter.meaning) + ", " + range_of(parameter));
     const double value = found != given.end() ? found->second : *parameter.standard;
     if (!parameter.allows(value))
-      throw InputError(where, quoted(parameter.name) + " = " + number(value),
-                       parameter.range() + " " + std::string(parameter.unit));
+      throw InputError(where, quoted(parameter.name) + " = " + number(value), range_of(parameter));
     result.emplace(parameter.name, value);
   }
   for (const auto& [name, value] : given) {
