@@ -155,13 +155,6 @@ io::NumberTable empty_table(const std::vector<std::string>& keys) {
   return table;
 }
 
-std::vector<double> spaced(double from, double to, std::size_t count) {
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i)
-    values[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
-  return values;
-}
-
 void append(std::vector<double>& to, const std::vector<double>& values) {
   to.insert(to.end(), values.begin(), values.end());
 }
@@ -214,12 +207,24 @@ LawCase law_case(const std::vector<std::string>& laws, const std::vector<std::st
   }
   if (!has_normal) result.choice.push_back({normal, {}});
   for (const std::string& text : assignments) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throw InputError("--set", "\"" + text + "\"", "key=value");
-    set(result, text.substr(0, equals),
-        number_of(std::string_view(text).substr(equals + 1), "--set " + text.substr(0, equals)));
+    const auto [key, value] = assignment_of(text);
+    set(result, key, value);
   }
   return result;
+}
+
+std::pair<std::string, double> assignment_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw InputError("--set", "\"" + text + "\"", "key=value");
+  const std::string key = text.substr(0, equals);
+  return {key, number_of(std::string_view(text).substr(equals + 1), "--set " + key)};
+}
+
+std::vector<double> spaced(double from, double to, std::size_t count) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i)
+    values[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
+  return values;
 }
 
 Sweep sweep_of(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/number_table.hpp"
@@ -54,6 +55,12 @@ struct LawCase {
 /// named, the first that goes with the others is taken: hertz, if it does.
 /// Throws InputError for what is no assignment, an unknown law or key, a value that is no number.
 LawCase law_case(const std::vector<std::string>& laws, const std::vector<std::string>& assignments);
+
+/// "key=value".
+std::pair<std::string, double> assignment_of(const std::string& text);
+
+/// `count` ≥ 2 numbers from one to the other.
+std::vector<double> spaced(double from, double to, std::size_t count);
 
 /// Sets one number of a case, as in law_case.
 void set(LawCase& law_case, const std::string& key, double value);

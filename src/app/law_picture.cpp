@@ -54,33 +54,17 @@ std::vector<double> scaled(const std::vector<double>& values, double unit) {
   return result;
 }
 
-/// Titles as the plot sets them: "F_n" with a lowered n.
-std::string lowered(std::string_view text) {
+/// Titles as the plot sets them: "F_n" with a lowered n, "m^2" with a raised 2.
+std::string typeset(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '_' && i + 1 < text.size()) {
-      result += fmt::format("_{{{}}}", text[++i]);
+    if ((text[i] == '_' || text[i] == '^') && i + 1 < text.size()) {
+      const char shift = text[i];
+      result += fmt::format("{}{{{}}}", shift, text[++i]);
     } else {
       result += text[i];
     }
   }
-  return result;
-}
-
-/// Columns of one unit over the axis; those that are zero throughout are left out, unless all are.
-io::Panel panel(const io::NumberTable& numbers, const io::Axis& x, const std::vector<double>& at,
-                const std::string& label, std::vector<std::string> names) {
-  double size = 0.0;
-  for (const std::string& name : names) size = std::max(size, largest(*numbers.find(name)));
-  std::erase_if(names,
-                [&](const std::string& name) { return name != names.front() && largest(*numbers.find(name)) == 0.0; });
-  const auto unit = io::prefixed_unit(size, answer_unit(names.front()));
-  io::Panel result{
-      .title = "", .x = x, .y = {.label = fmt::format("{} [{}]", lowered(label), unit.symbol)}, .curves = {}};
-  for (const std::string& name : names)
-    result.curves.push_back({.name = names.size() > 1 ? lowered(answer_title(name)) : "",
-                             .x = at,
-                             .y = scaled(*numbers.find(name), unit.size)});
   return result;
 }
 
@@ -91,7 +75,41 @@ bool is_logarithmic(const std::vector<double>& values) {
          std::fabs(values[1] / values[0] - values[2] / values[1]) < 1e-6 * values[1] / values[0];
 }
 
+std::string with_unit(const std::string& label, const std::string& unit) {
+  return unit.empty() ? typeset(label) : fmt::format("{} [{}]", typeset(label), typeset(unit));
+}
+
 }  // namespace
+
+io::PrefixedUnit unit_for(double size, std::string_view unit) {
+  if (unit == "m^2") {
+    constexpr double few = 10.0;  // 0.3 mm^2 rather than 300000 µm^2
+    const io::PrefixedUnit side = io::prefixed_unit(std::sqrt(few * std::fabs(size)), "m");
+    return {side.symbol + "^2", side.size * side.size};
+  }
+  if (unit.empty() || unit.find('^') != std::string_view::npos) return {std::string(unit), 1.0};
+  return io::prefixed_unit(size, unit);
+}
+
+io::Panel panel_over(const io::NumberTable& numbers, const AxisText& axis, const std::string& label,
+                     std::vector<std::string> names, const ColumnWords& words) {
+  double size = 0.0;
+  for (const std::string& name : names) size = std::max(size, largest(*numbers.find(name)));
+  std::erase_if(names,
+                [&](const std::string& name) { return name != names.front() && largest(*numbers.find(name)) == 0.0; });
+  const std::vector<double>& values = *numbers.find(axis.column);
+  const auto x_unit = unit_for(largest(values), axis.unit), unit = unit_for(size, words.unit(names.front()));
+  io::Panel result{.title = "",
+                   .x = {.label = with_unit(axis.title, x_unit.symbol),
+                         .scale = is_logarithmic(values) ? io::Scale::logarithmic : io::Scale::linear},
+                   .y = {.label = with_unit(label, unit.symbol)},
+                   .curves = {}};
+  for (const std::string& name : names)
+    result.curves.push_back({.name = names.size() > 1 ? typeset(words.title(name)) : "",
+                             .x = scaled(values, x_unit.size),
+                             .y = scaled(*numbers.find(name), unit.size)});
+  return result;
+}
 
 std::string_view answer_title(std::string_view column) {
   const ColumnText* text = text_of(column);
@@ -121,14 +139,10 @@ std::string law_axis(const io::NumberTable& numbers, const std::string& swept_ke
 
 io::Plot law_plot(const LawDescription& law, const io::NumberTable& numbers, const std::string& axis,
                   const std::string& unit) {
-  const std::vector<double>& values = *numbers.find(axis);
-  const auto prefixed = io::prefixed_unit(largest(values), unit);
-  const std::vector<double> at = unit.empty() ? values : scaled(values, prefixed.size);
-  const io::Axis x{.label = unit.empty() ? axis : fmt::format("{} [{}]", lowered(answer_title(axis)), prefixed.symbol),
-                   .scale = is_logarithmic(values) ? io::Scale::logarithmic : io::Scale::linear};
+  const AxisText x{axis, unit.empty() ? axis : std::string(answer_title(axis)), unit};
   io::Plot plot{.title = std::string(law.title), .panels = {}};
   const auto draw = [&](const std::string& label, const std::vector<std::string>& names) {
-    plot.panels.push_back(panel(numbers, x, at, label, names));
+    plot.panels.push_back(panel_over(numbers, x, label, names, {answer_title, answer_unit}));
   };
   switch (law.slot) {
     case LawSlot::normal:

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dynamics/contact_batches.hpp"
 #include "dynamics/kinematics.hpp"
 #include "dynamics/pair_chunk.hpp"
 #include "dynamics/world.hpp"
@@ -15,14 +16,20 @@ struct ChunkScratch {
   std::vector<std::int32_t> awake;  ///< far pairs for the narrow phase: one a row
   std::vector<std::int32_t> opened;
   std::vector<double> travel;  ///< of the chunk's bodies [m]
-  std::vector<BodyPair> pairs;
-  SuperquadricPairs superquadrics;
-  ShapePairs shapes;
+  std::vector<LocalPair> pairs;
   ContactCaches caches;
-  ContactColumns geometry;
-  std::vector<Vec3> arm_1, arm_2;  ///< from the centroids to the contact point [m]
-  Columns<9> motion;
-  Columns<13> answer;
+  /// Of pairs given to the narrow phase: far ones, and contacts. Two, because room that shrinks is cleared.
+  struct Solved {
+    SuperquadricPairs superquadrics;
+    ShapePairs shapes;
+    Columns<3> shift;  ///< what brings body 2 next to body 1 [m]; no rows where nothing is repeated in space
+    ContactColumns geometry;
+  };
+  Solved far, contacts;
+  Columns<of_arms::columns> arms;
+  Columns<of_motion::columns> motion;
+  Columns<of_answer::columns> answer;
+  Columns<of_torques::columns> torques;
   std::vector<LawStatus> status;
   double narrow_seconds = 0.0, law_seconds = 0.0;  // these add up
 };

@@ -166,7 +166,7 @@ void Simulation::Engine::rebuild() {
   for (const BodyShape& shape : world_.shapes)
     if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
   extent_ = 0.5 * (upper - lower).norm() + largest + world_.skin;
-  pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_);
+  pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
 }
@@ -263,8 +263,8 @@ std::vector<Contact> Simulation::Engine::contacts() const {
     if (pairs.size() == 0) continue;
     const ContactColumns geometry = geometry_of(chunk, world_, bodies_, kinematics_);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const std::int32_t one = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].first)];
-      const std::int32_t two = chunk.bodies[static_cast<std::size_t>(pairs.bodies[i].second)];
+      const std::int32_t one = chunk.bodies[pairs.bodies[i].first];
+      const std::int32_t two = chunk.bodies[pairs.bodies[i].second];
       const ContactGeometry found = geometry.get(i);
       const Vec3 difference =
           bodies_.position[static_cast<std::size_t>(two)] - bodies_.position[static_cast<std::size_t>(one)];

@@ -26,9 +26,10 @@ struct Totals {
   double viscous_loss, friction_loss, hysteresis_loss, curvature_gain, stored_normal, stored_tangential, stiffest;
 };
 
-/// A cache as numbers: all its vectors.
+/// A contact's cache as numbers: all its vectors. A far pair's has floats of its own.
 using CacheNumbers = std::array<double, ContactCaches::width>;
 static_assert(6 * 3 == ContactCaches::width);
+using FarNumbers = std::array<double, std::tuple_size_v<decltype(FarCache::numbers)>>;
 CacheNumbers numbers_of(const ContactCache& cache) {
   CacheNumbers numbers{};
   std::size_t k = 0;
@@ -37,11 +38,37 @@ CacheNumbers numbers_of(const ContactCache& cache) {
     for (const double value : *vector) numbers[k++] = value;
   return numbers;
 }
-ContactCache cache_of(const CacheNumbers& numbers, std::int32_t state) {
+FarNumbers numbers_of(const FarCache& cache) {
+  FarNumbers numbers{};
+  std::copy(cache.numbers.begin(), cache.numbers.end(), numbers.begin());
+  return numbers;
+}
+ContactCache::State state_of(std::int32_t state) {
   if (state < 0 || state > static_cast<std::int32_t>(ContactCache::State::separation))
     throw InputError("state", "cache state " + std::to_string(state), "0, 1 or 2");
+  return static_cast<ContactCache::State>(state);
+}
+ContactCache cache_of(const CacheNumbers& numbers, std::int32_t state) {
   const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
-  return {static_cast<ContactCache::State>(state), vector(0), vector(3), vector(6), vector(9), vector(12), vector(15)};
+  return {state_of(state), vector(0), vector(3), vector(6), vector(9), vector(12), vector(15)};
+}
+FarCache far_cache_of(const FarNumbers& numbers, std::int32_t state) {
+  FarCache cache;
+  cache.state = state_of(state);
+  std::transform(numbers.begin(), numbers.end(), cache.numbers.begin(),
+                 [](double number) { return static_cast<float>(number); });
+  return cache;
+}
+
+/// A pair's places as numbers of the width that states know.
+BodyPair wide(const LocalPair& pair) {
+  return {pair.first, pair.second};
+}
+LocalPair narrow(const BodyPair& pair, const PairChunk& chunk) {
+  const auto count = static_cast<std::int32_t>(chunk.bodies.size());
+  if (std::min(pair.first, pair.second) < 0 || std::max(pair.first, pair.second) >= count)
+    throw InputError("state", "a pair of bodies that its chunk does not have", "places below " + std::to_string(count));
+  return {static_cast<std::uint16_t>(pair.first), static_cast<std::uint16_t>(pair.second)};
 }
 
 /// What is stored of all pairs, chunk after chunk.
@@ -52,7 +79,7 @@ struct FlatPairs {
   std::vector<BodyPair> far;
   std::vector<double> far_quiet;
   std::vector<std::int32_t> far_state;
-  std::vector<CacheNumbers> far_cache;
+  std::vector<FarNumbers> far_cache;
   std::vector<BodyPair> contacts;
   std::vector<std::int32_t> contact_state;
   std::vector<CacheNumbers> contact_cache;
@@ -97,13 +124,13 @@ FlatPairs flat(const PairList& list) {
                           chunk.stored_normal, chunk.stored_tangential, chunk.stiffest});
     append(all.bodies, chunk.bodies);
     for (std::size_t i = 0; i < chunk.far.size(); ++i) {
-      all.far.push_back(chunk.far[i].bodies);
+      all.far.push_back(wide(chunk.far[i].bodies));
       all.far_quiet.push_back(chunk.far[i].quiet_until);
       all.far_state.push_back(static_cast<std::int32_t>(chunk.far_caches[i].state));
-      all.far_cache.push_back(numbers_of(chunk.far_caches[i].cache()));
+      all.far_cache.push_back(numbers_of(chunk.far_caches[i]));
     }
-    append(all.contacts, contacts.bodies);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+      all.contacts.push_back(wide(contacts.bodies[i]));
       all.contact_state.push_back(static_cast<std::int32_t>(contacts.caches.states[i]));
       all.contact_cache.push_back(numbers_of(contacts.caches.get(i)));
       all.constants.push_back({contacts.reduced_mass[i], contacts.effective_radius[i], contacts.radius_cap[i]});
@@ -138,12 +165,6 @@ class Next {
   std::size_t next_ = 0;
 };
 
-void require_place(const BodyPair& pair, const PairChunk& chunk) {
-  const auto count = static_cast<std::int32_t>(chunk.bodies.size());
-  if (std::min(pair.first, pair.second) < 0 || std::max(pair.first, pair.second) >= count)
-    throw InputError("state", "a pair of bodies that its chunk does not have", "places below " + std::to_string(count));
-}
-
 void restore(const FlatPairs& all, const World& world, std::size_t body_count, PairList& list) {
   Next bodies("chunks.bodies", all.bodies);
   Next far("far.bodies", all.far);
@@ -175,6 +196,9 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     chunk.stored_normal = sums.stored_normal;
     chunk.stored_tangential = sums.stored_tangential;
     chunk.stiffest = sums.stiffest;
+    if (header.bodies > 2 * PairChunk::most_pairs)
+      throw InputError("state", std::to_string(header.bodies) + " bodies in a chunk",
+                       "at most " + std::to_string(2 * PairChunk::most_pairs));
     for (std::uint64_t i = 0; i < header.bodies; ++i) {
       const std::int32_t body = bodies();
       if (body < 0 || static_cast<std::size_t>(body) >= body_count)
@@ -183,13 +207,12 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     }
     chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
     for (std::uint64_t i = 0; i < header.far; ++i) {
-      chunk.far.push_back({far(), far_quiet()});
-      chunk.far_caches.emplace_back(cache_of(far_cache(), far_state()));
-      require_place(chunk.far.back().bodies, chunk);
+      chunk.far.push_back({narrow(far(), chunk), static_cast<float>(far_quiet())});
+      chunk.far_caches.push_back(far_cache_of(far_cache(), far_state()));
     }
     for (std::uint64_t i = 0; i < header.contacts; ++i) {
-      append_contact(chunk.contacts, contact(), cache_of(contact_cache(), contact_state()), constants(), law);
-      require_place(chunk.contacts.bodies.back(), chunk);
+      append_contact(chunk.contacts, narrow(contact(), chunk), cache_of(contact_cache(), contact_state()), constants(),
+                     law);
       chunk.contacts.spring.back() = spring();
       chunk.contacts.force.back() = force();
       if (law.makes_couples()) chunk.contacts.couple.back() = couple();

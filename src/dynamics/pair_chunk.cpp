@@ -1,6 +1,8 @@
 #include "dynamics/pair_chunk.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace osculate {
@@ -13,9 +15,36 @@ void copy_memory(const std::vector<MemoryLine>& from, std::size_t source, std::v
         from[source / law_lanes * size + m].lanes[source % law_lanes];
 }
 
+void put(std::array<float, 12>& numbers, std::size_t first, const Vec3& v) {
+  for (std::size_t k = 0; k < 3; ++k) numbers[first + k] = static_cast<float>(v[static_cast<Eigen::Index>(k)]);
+}
+Vec3 vector_at(const std::array<float, 12>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
 }  // namespace
 
-void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCache& cache,
+float rounded_down(double x) {
+  const auto near = static_cast<float>(x);
+  return near > x ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+}
+
+FarCache::FarCache(const ContactCache& cache) : state(cache.state) {
+  put(numbers, 0, cache.point_1), put(numbers, 3, cache.normal_1);
+  put(numbers, 6, cache.point_2), put(numbers, 9, cache.normal_2);
+}
+
+ContactCache FarCache::cache(double radius_1, double radius_2) const {
+  // A vector rounded to floats is off by 2^-24 of its length, a unit vector by as much again once it has length 1; the
+  // support in it, and the point's height along it, by a radius times that each.
+  constexpr double slack = 4.0 * 0x1p-24;
+  if (state == ContactCache::State::empty) return {};
+  const Vec3 normal_1 = vector_at(numbers, 3).normalized(), normal_2 = vector_at(numbers, 9).normalized();
+  return {state, vector_at(numbers, 0) + slack * radius_1 * normal_1, normal_1,
+          vector_at(numbers, 6) + slack * radius_2 * normal_2, normal_2};
+}
+
+void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCache& cache,
                     const PairConstants& constants, const ContactLaw& law) {
   const std::size_t i = contacts.size();
   contacts.bodies.push_back(bodies);

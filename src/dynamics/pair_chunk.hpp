@@ -1,6 +1,7 @@
 #pragma once
 // Pairs of bodies near each other, of one kind and with one law: few enough that a step's work on them stays in cache.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,25 +36,32 @@ inline std::span<double> doubles_of(std::vector<MemoryLine>& memory) {
 /// What went wrong with a pair in a step.
 enum class Fault : std::uint8_t { none, degenerate, not_converged, too_deep, step_too_long, law_refused };
 
-/// A pair that does not touch.
-struct FarPair {
-  BodyPair bodies;
-  double quiet_until;  ///< it cannot touch before both travels add up to this [m]
+/// Two bodies by their places among those of a chunk, which has at most two a pair.
+struct LocalPair {
+  std::uint16_t first, second;
 };
 
-/// A cache without the curvatures of its points: they do not keep while the bodies are apart.
+/// The largest float that is not above x.
+float rounded_down(double x);
+
+/// A pair that does not touch.
+struct FarPair {
+  LocalPair bodies;
+  float quiet_until;  ///< it cannot touch before both travels add up to this [m]
+};
+
+/// A cache in half the room, for a pair that sleeps: floats, without the curvatures, which do not keep while the bodies
+/// are apart.
 struct FarCache {
   ContactCache::State state = ContactCache::State::empty;
-  Vec3 point_1 = Vec3::Zero(), normal_1 = Vec3::Zero(), point_2 = Vec3::Zero(), normal_2 = Vec3::Zero();
+  std::array<float, 12> numbers{};  ///< point 1, normal 1, point 2, normal 2
 
   FarCache() = default;
-  explicit FarCache(const ContactCache& cache)
-      : state(cache.state),
-        point_1(cache.point_1),
-        normal_1(cache.normal_1),
-        point_2(cache.point_2),
-        normal_2(cache.normal_2) {}
-  ContactCache cache() const { return {state, point_1, normal_1, point_2, normal_2}; }
+  explicit FarCache(const ContactCache& cache);
+  /// The planes through the points along the normals, which separate the bodies, are moved out by more than rounding
+  /// took: they still do.
+  /// @param radii  of the bodies about their frames [m]; 0 where no such plane is looked at
+  ContactCache cache(double radius_1, double radius_2) const;
 };
 
 /// A contact's normal spring at the last step: its energy is coefficient · overlap^(p + 1).
@@ -64,7 +72,7 @@ struct NormalSpring {
 
 /// Pairs that touch, one after another. Everything about contact i stands at i.
 struct Contacts {
-  std::vector<BodyPair> bodies;
+  std::vector<LocalPair> bodies;
   ContactCaches caches;
   std::vector<MemoryLine> memory;        ///< memory_size lines for every eight contacts
   std::vector<double> reduced_mass;      ///< [kg]
@@ -89,7 +97,7 @@ struct Wrench {
 };
 
 struct PairChunk {
-  static constexpr std::size_t most_pairs = 1024;
+  static constexpr std::size_t most_pairs = 512;
 
   PairGroup group;
   std::vector<FarPair> far;
@@ -112,7 +120,7 @@ struct PairChunk {
 };
 
 /// Adds a contact with an empty memory: one not yet made.
-void append_contact(Contacts& contacts, const BodyPair& bodies, const ContactCache& cache,
+void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCache& cache,
                     const PairConstants& constants, const ContactLaw& law);
 
 /// Appends contact `i` of another list with everything it remembers.

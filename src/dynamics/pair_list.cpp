@@ -1,8 +1,12 @@
 #include "dynamics/pair_list.hpp"
 
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "dynamics/neighbours.hpp"
 
@@ -11,8 +15,10 @@ namespace {
 
 using Index = std::size_t;
 
+/// Pairs stand in the order of their bodies along a curve through space, so that a chunk's bodies lie together.
 struct Candidate {
   PairGroup group;
+  std::uint32_t earlier, later;  ///< the bodies' ranks along the curve; walls come last
   BodyPair pair;
   friend auto operator<=>(const Candidate&, const Candidate&) = default;
 };
@@ -52,7 +58,48 @@ bool is_superquadric(const Shape& shape) {
   return is_particle(shape) && !std::holds_alternative<PotentialParticle>(shape);
 }
 
-std::vector<Candidate> candidates(const World& world, const Bodies& bodies) {
+/// Every third bit: the lowest 21 bits of a number.
+std::uint64_t spread(std::uint64_t x) {
+  x = (x | x << 32) & 0x1F00000000FFFF;
+  x = (x | x << 16) & 0x1F0000FF0000FF;
+  x = (x | x << 8) & 0x100F00F00F00F00F;
+  x = (x | x << 4) & 0x10C30C30C30C30C3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Each body's place along Morton's curve through the particles; walls come last.
+std::vector<std::uint32_t> ranks(const World& world, const Bodies& bodies) {
+  constexpr double cells = 1 << 21;
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  const auto is_bounded = [&](Index i) { return std::isfinite(shape_of(world, bodies, i).bounding_radius); };
+  for (Index i = 0; i < bodies.size(); ++i) {
+    if (!is_bounded(i)) continue;
+    lower = lower.cwiseMin(bodies.position[i]);
+    upper = upper.cwiseMax(bodies.position[i]);
+  }
+  const double length = (upper - lower).maxCoeff(), scale = length > 0.0 ? (cells - 1.0) / length : 0.0;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(bodies.size());
+  for (Index i = 0; i < bodies.size(); ++i) {
+    std::uint64_t place = std::numeric_limits<std::uint64_t>::max();
+    if (is_bounded(i)) {
+      const Vec3 cell = scale * (bodies.position[i] - lower);
+      place = 0;
+      for (int k = 0; k < 3; ++k) place |= spread(static_cast<std::uint64_t>(cell[k])) << k;
+    }
+    order[i] = {place, static_cast<std::uint32_t>(i)};
+  }
+  oneapi::tbb::parallel_sort(order);
+  std::vector<std::uint32_t> rank(bodies.size());
+  for (Index k = 0; k < order.size(); ++k) rank[order[k].second] = static_cast<std::uint32_t>(k);
+  return rank;
+}
+
+Candidate make_candidate(const PairGroup& group, const BodyPair& pair, const std::vector<std::uint32_t>& rank) {
+  const auto [earlier, later] = std::minmax(rank[index_of(pair.first)], rank[index_of(pair.second)]);
+  return {group, earlier, later, pair};
+}
+
+std::vector<Candidate> candidates(const World& world, const Bodies& bodies, const std::vector<std::uint32_t>& rank) {
   const double reach = world.reach.empty() ? 0.0 : *std::max_element(world.reach.begin(), world.reach.end());
   std::vector<Ball> balls;
   std::vector<std::int32_t> ball_of, walls;
@@ -79,11 +126,11 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies) {
     if (!bodies.is_free(one) && !bodies.is_free(two)) continue;
     const bool fast =
         is_superquadric(shape_of(world, bodies, one).shape) && is_superquadric(shape_of(world, bodies, two).shape);
-    found.push_back({{fast ? NarrowPhase::superquadrics : NarrowPhase::any_shapes,
-                      world.law_between(bodies.material[one], bodies.material[two])},
-                     pair});
+    const PairGroup group{fast ? NarrowPhase::superquadrics : NarrowPhase::any_shapes,
+                          world.law_between(bodies.material[one], bodies.material[two])};
+    found.push_back(make_candidate(group, pair, rank));
   }
-  std::sort(found.begin(), found.end());
+  oneapi::tbb::parallel_sort(found);
   return found;
 }
 
@@ -93,41 +140,95 @@ struct Place {
   const PairChunk* chunk;
   std::int32_t far;      ///< index, or −1
   std::int32_t contact;  ///< index, or −1
+  friend bool operator<(const Place& a, const Place& b) { return a.candidate < b.candidate; }
 };
 
-std::vector<Place> places_of(const PairList& list) {
+std::vector<Place> places_of(const PairList& list, const std::vector<std::uint32_t>& rank) {
   std::vector<Place> places;
   for (const PairChunk& chunk : list.chunks) {
-    const auto global = [&](const BodyPair& pair) {
-      return BodyPair{chunk.bodies[index_of(pair.first)], chunk.bodies[index_of(pair.second)]};
+    const auto candidate = [&](const LocalPair& pair) {
+      return make_candidate(chunk.group, {chunk.bodies[pair.first], chunk.bodies[pair.second]}, rank);
     };
     for (Index k = 0; k < chunk.far.size(); ++k)
-      places.push_back({{chunk.group, global(chunk.far[k].bodies)}, &chunk, static_cast<std::int32_t>(k), -1});
+      places.push_back({candidate(chunk.far[k].bodies), &chunk, static_cast<std::int32_t>(k), -1});
     for (Index k = 0; k < chunk.contacts.size(); ++k)
-      places.push_back({{chunk.group, global(chunk.contacts.bodies[k])}, &chunk, -1, static_cast<std::int32_t>(k)});
+      places.push_back({candidate(chunk.contacts.bodies[k]), &chunk, -1, static_cast<std::int32_t>(k)});
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.candidate < b.candidate; });
+  oneapi::tbb::parallel_sort(places);
   return places;
 }
 
-/// Gives the chunk's bodies their places in it; its pairs named bodies by their numbers so far.
-void number_bodies(PairChunk& chunk, std::vector<std::int32_t>& place) {
-  const auto number = [&](std::int32_t& body) {
-    std::int32_t& at = place[index_of(body)];
+/// Hands out places in a chunk to bodies.
+class Numbering {
+ public:
+  Numbering(std::vector<std::int32_t>& bodies, std::vector<std::int32_t>& place) : bodies_(bodies), place_(place) {}
+  ~Numbering() {
+    for (const std::int32_t body : bodies_) place_[index_of(body)] = -1;
+  }
+  Numbering(const Numbering&) = delete;
+  Numbering& operator=(const Numbering&) = delete;
+
+  LocalPair local(const BodyPair& pair) { return {number(pair.first), number(pair.second)}; }
+
+ private:
+  std::uint16_t number(std::int32_t body) {
+    std::int32_t& at = place_[index_of(body)];
     if (at < 0) {
-      at = static_cast<std::int32_t>(chunk.bodies.size());
-      chunk.bodies.push_back(body);
+      at = static_cast<std::int32_t>(bodies_.size());
+      bodies_.push_back(body);
     }
-    body = at;
-  };
-  const auto number_pair = [&](BodyPair& pair) {
-    number(pair.first);
-    number(pair.second);
-  };
-  for (FarPair& far : chunk.far) number_pair(far.bodies);
-  for (BodyPair& pair : chunk.contacts.bodies) number_pair(pair);
-  for (const std::int32_t body : chunk.bodies) place[index_of(body)] = -1;
+    return static_cast<std::uint16_t>(at);
+  }
+
+  std::vector<std::int32_t>& bodies_;
+  std::vector<std::int32_t>& place_;  ///< of every body, −1 where it has none
+};
+
+/// The pairs of a chunk: consecutive candidates of one group, with what the old list knows of them.
+PairChunk make_chunk(std::span<const Candidate> pairs, const std::vector<Place>& old, const World& world,
+                     const Bodies& bodies, const Kinematics& kinematics, std::vector<std::int32_t>& place) {
+  PairChunk chunk;
+  chunk.group = pairs.front().group;
+  const ContactLaw& law = world.setup.interactions[index_of(chunk.group.law)].law;
+  const double reach = world.reach[index_of(chunk.group.law)];
+  auto known = std::lower_bound(old.begin(), old.end(), pairs.front(),
+                                [](const Place& one, const Candidate& pair) { return one.candidate < pair; });
+  {
+    Numbering numbering(chunk.bodies, place);
+    for (const Candidate& candidate : pairs) {
+      while (known != old.end() && known->candidate < candidate) ++known;
+      const bool is_known = known != old.end() && known->candidate == candidate;
+      const LocalPair local = numbering.local(candidate.pair);
+      if (is_known && known->contact >= 0) {
+        append_contact(chunk.contacts, known->chunk->contacts, index_of(known->contact), law);
+        chunk.contacts.bodies.back() = local;
+        continue;
+      }
+      const Index one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
+      FarPair far{local, rounded_down(sphere_gap(world, bodies, one, two) - reach)};
+      FarCache cache;
+      if (is_known) {
+        const double was = known->chunk->far[index_of(known->far)].quiet_until;
+        cache = known->chunk->far_caches[index_of(known->far)];
+        far.quiet_until =
+            std::max(far.quiet_until, rounded_down(was - kinematics.travel[one] - kinematics.travel[two]));
+      }
+      chunk.far.push_back(far);
+      chunk.far_caches.push_back(cache);
+    }
+  }
   chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
+  drop_spare_room(chunk);
+  return chunk;
+}
+
+/// Where each chunk's candidates begin, and where the last one's end.
+std::vector<Index> chunk_bounds(const std::vector<Candidate>& found) {
+  std::vector<Index> bounds{0};
+  for (Index i = 1; i < found.size(); ++i)
+    if (found[i].group != found[i - 1].group || i - bounds.back() == PairChunk::most_pairs) bounds.push_back(i);
+  if (!found.empty()) bounds.push_back(found.size());
+  return bounds;
 }
 
 }  // namespace
@@ -145,7 +246,8 @@ void index_bodies(PairList& list, std::size_t bodies) {
                                                                      static_cast<std::uint32_t>(k)};
 }
 
-PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics) {
+PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics,
+                        Threads& threads) {
   PairList list;
   list.viscous_loss = before.viscous_loss;
   list.friction_loss = before.friction_loss;
@@ -157,39 +259,20 @@ PairList make_pair_list(PairList&& before, const World& world, const Bodies& bod
     list.hysteresis_loss += chunk.hysteresis_loss;
     list.curvature_gain += chunk.curvature_gain;
   }
-  const std::vector<Place> old = places_of(before);
-  auto known = old.begin();
-  for (const Candidate& candidate : candidates(world, bodies)) {
-    const auto pairs_in = [](const PairChunk& chunk) { return chunk.far.size() + chunk.contacts.size(); };
-    if (list.chunks.empty() || list.chunks.back().group != candidate.group ||
-        pairs_in(list.chunks.back()) == PairChunk::most_pairs)
-      list.chunks.emplace_back().group = candidate.group;
-    PairChunk& chunk = list.chunks.back();
-    while (known != old.end() && known->candidate < candidate) ++known;
-    const bool is_known = known != old.end() && known->candidate == candidate;
-    if (is_known && known->contact >= 0) {
-      const ContactLaw& law = world.setup.interactions[index_of(candidate.group.law)].law;
-      append_contact(chunk.contacts, known->chunk->contacts, index_of(known->contact), law);
-      chunk.contacts.bodies.back() = candidate.pair;
-      continue;
-    }
-    const Index one = index_of(candidate.pair.first), two = index_of(candidate.pair.second);
-    const double reach = world.reach[index_of(candidate.group.law)];
-    FarPair far{candidate.pair, sphere_gap(world, bodies, one, two) - reach};
-    FarCache cache;
-    if (is_known) {
-      const FarPair& was = known->chunk->far[index_of(known->far)];
-      cache = known->chunk->far_caches[index_of(known->far)];
-      far.quiet_until = std::max(far.quiet_until, was.quiet_until - kinematics.travel[one] - kinematics.travel[two]);
-    }
-    chunk.far.push_back(far);
-    chunk.far_caches.push_back(cache);
-  }
-  std::vector<std::int32_t> place(bodies.size(), -1);
-  for (PairChunk& chunk : list.chunks) {
-    number_bodies(chunk, place);
-    drop_spare_room(chunk);
-  }
+  threads.run([&] {
+    const std::vector<std::uint32_t> rank = ranks(world, bodies);
+    const std::vector<Place> old = places_of(before, rank);
+    const std::vector<Candidate> found = candidates(world, bodies, rank);
+    const std::vector<Index> bounds = chunk_bounds(found);
+    list.chunks.resize(bounds.size() - 1);
+    std::vector<std::vector<std::int32_t>> places(static_cast<Index>(threads.count()));
+    threads.for_blocks(list.chunks.size(), 1, [&](Index c, Index) {
+      std::vector<std::int32_t>& place = places[Threads::current()];
+      place.resize(bodies.size(), -1);
+      list.chunks[c] = make_chunk(std::span(found).subspan(bounds[c], bounds[c + 1] - bounds[c]), old, world, bodies,
+                                  kinematics, place);
+    });
+  });
   index_bodies(list, bodies.size());
   return list;
 }

@@ -6,6 +6,7 @@
 
 #include "dynamics/chunk_forces.hpp"
 #include "dynamics/pair_chunk.hpp"
+#include "dynamics/parallel.hpp"
 
 namespace osculate {
 
@@ -25,7 +26,8 @@ struct PairList {
 
 /// The pairs that may touch while no two bodies have together moved further than the skin. What `before` knows of a
 /// pair is kept; its travels are those in `kinematics`, which count from zero afterwards.
-PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics);
+PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics,
+                        Threads& threads);
 
 /// Fills first and incidences from the chunks.
 void index_bodies(PairList& list, std::size_t bodies);

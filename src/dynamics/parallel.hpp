@@ -34,6 +34,12 @@ class Threads {
     arena_.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, blocks, one); });
   }
 
+  /// Calls work() so that what TBB does in it keeps to these threads.
+  template <class Work>
+  void run(const Work& work) {
+    arena_.execute(work);
+  }
+
   /// The number of the thread that calls, below count().
   static std::size_t current() {
     return static_cast<std::size_t>(std::max(0, oneapi::tbb::this_task_arena::current_thread_index()));

@@ -9,12 +9,15 @@
 #include "mechanics/laws/batched.hpp"
 #include "mechanics/laws/composed.hpp"
 #include "mechanics/laws/laws.hpp"
+#include "mechanics/laws/parameters.hpp"
 #include "osculate/core/error.hpp"
+#include "osculate/mechanics/study_laws.hpp"
 
 namespace osculate {
 namespace {
 
 constexpr const char* place = "contact law";
+using laws::quoted;
 
 /// Slot by slot, the usual choice first.
 const std::array registry{
@@ -52,56 +55,12 @@ const laws::Law* find(std::string_view name) {
   return found == registry.end() ? nullptr : *found;
 }
 
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", value);
-  return buffer;
-}
-
-/// " name" of each: the end of "one of".
-template <class List, class Name>
-std::string listed(const List& list, const Name& name) {
-  std::string text = "one of";
-  for (const auto& item : list) text.append(1, ' ').append(name(item));
-  return text;
-}
-
-std::string quoted(std::string_view text) {
-  std::string result(1, '"');
-  result += text;
-  return result += '"';
-}
-
 const laws::Law& known(std::string_view name) {
   if (const laws::Law* law = find(name)) return *law;
+  if (const StudyLaw* law = study_law(name))
+    throw InputError(place, quoted(name), "a law for time steps: " + std::string(law->reason));
   throw InputError(place, "a law " + quoted(name),
-                   listed(registry, [](const laws::Law* law) { return law->description.name; }));
-}
-
-/// The choice with every parameter in it.
-ChosenLaw completed(const ChosenLaw& chosen, const LawDescription& law) {
-  const std::string where = place + std::string(" ") + std::string(law.name);
-  ChosenLaw result{chosen.name, {}};
-  for (const LawParameter& parameter : law.parameters) {
-    const auto given = chosen.parameters.find(std::string(parameter.name));
-    const bool found = given != chosen.parameters.end();
-    if (!found && !parameter.standard)
-      throw InputError(where, "no " + quoted(parameter.name),
-                       std::string(parameter.meaning) + ", " + parameter.range() + " " + std::string(parameter.unit));
-    const double value = found ? given->second : *parameter.standard;
-    if (!parameter.allows(value))
-      throw InputError(where, quoted(parameter.name) + " = " + number(value),
-                       parameter.range() + " " + std::string(parameter.unit));
-    result.parameters.emplace(parameter.name, value);
-  }
-  for (const auto& [name, value] : chosen.parameters) {
-    if (result.parameters.contains(name)) continue;
-    throw InputError(where, "a parameter " + quoted(name),
-                     law.parameters.empty()
-                         ? "none: the law has no parameters"
-                         : listed(law.parameters, [](const LawParameter& parameter) { return parameter.name; }));
-  }
-  return result;
+                   laws::one_of(registry, [](const laws::Law* law) { return law->description.name; }));
 }
 
 bool excludes(const LawConflict& conflict, const LawDescription& other) {
@@ -127,7 +86,8 @@ std::vector<ChosenLaw> checked(const LawChoice& choice) {
       throw InputError(place, quoted(slot->name) + " and " + quoted(law.name),
                        "one law of the slot " + quoted(name(law.slot)));
     slot = &law;
-    result.push_back(completed(chosen, law));
+    result.push_back({chosen.name, laws::completed(chosen.parameters, law.parameters,
+                                                   place + std::string(" ") + std::string(law.name))});
   }
   if (by_slot[static_cast<std::size_t>(LawSlot::normal)] == nullptr)
     throw InputError(place, "no normal law", "one of the slot \"normal\", for instance hertz");

@@ -306,7 +306,9 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
     way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
     count = select(idle, count, count + one);
     farthest = max(farthest, way[i]);
-    previous = point, point = following, left = right;
+    // The next one is held against those that stay: of two points close together each is idle beside the other.
+    previous = select(idle, previous, point), left = select(idle, stretch, right);
+    point = following;
   }
   // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
   // one does, and so on.

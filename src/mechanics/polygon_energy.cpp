@@ -226,13 +226,14 @@ Contact contact(std::span<const Vec2> body_1, const Vec2& centre_1, std::span<co
                 const EnergyFunction& function) {
   const Overlap common = overlap(body_1, body_2, centre_2);
   const double slope = function.slope(common.area);
-  const Vec2 force = -slope * common.gradient;
-  const double moment = -slope * common.turning;
+  // Taken from zero: bodies apart feel 0, not −0.
+  const Vec2 force = Vec2::Zero() - slope * common.gradient;
+  const double moment = 0.0 - slope * common.turning;
   Contact contact{.area = common.area,
                   .energy = function.energy(common.area),
                   .force_on_2 = force,
                   // Force and moment on both bodies balance.
-                  .moment_on_1 = -moment - cross(centre_2 - centre_1, force),
+                  .moment_on_1 = 0.0 - moment - cross(centre_2 - centre_1, force),
                   .moment_on_2 = moment,
                   .reference_point = common.centroid};
   const double squared = force.squaredNorm();

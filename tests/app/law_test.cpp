@@ -88,6 +88,30 @@ TEST_CASE("A load path is followed with memory, and written as it was asked for"
   CHECK(rows[2]["friction_loss"].get<double>() > rows[1]["friction_loss"].get<double>());
 }
 
+TEST_CASE("A theory that no time step takes is evaluated like a law, and refused as one") {
+  const auto folder = fresh_folder("law_study");
+  const json swept = rows_of("polygon_energy --set coefficient=1e5 y=0 turn=0 --sweep x=1.9e-3:2.1e-3:3");
+  REQUIRE(swept.size() == 3);
+  CHECK(swept[0]["force_x"].get<double>() == Approx(10.0).epsilon(1e-10));
+  CHECK(swept[2]["force_x"].get<double>() == 0.0);
+  std::ofstream(folder / "states.csv") << "x,turn\n1.9e-3,0\n1.5e-3,0.7\n";
+  const auto result = run(folder,
+                          "law polygon_energy --set polygon_energy.coefficient=1e5 y=0 --path states.csv --csv out.csv "
+                          "--picture turned.svg");
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.empty());
+  const std::string csv = content_of(folder / "out.csv");
+  CHECK_THAT(csv, Contains("x,turn,force_x,force_y,moment_1,moment_2,area,energy"));
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
+  CHECK_THAT(content_of(folder / "turned.svg"), Contains("polygons") && Contains("<svg"));
+
+  refused("polygon_energy --set coefficient=1e5 --with mindlin", "two dimensions");
+  refused("hertz --with jeng_wang --set overlap=1e-6", "unloading");
+  refused("jeng_wang --sweep h=0:1:3", "density");
+  refused("polygon_energy --set coefficient=1e5 --sweep z=0:1:3", "one of coefficient");
+}
+
 TEST_CASE("What makes no sense to the law command is refused with what was expected") {
   refused("herz", "hertz");
   refused("hertz --set R_i", "key=value");

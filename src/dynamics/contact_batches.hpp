@@ -1,0 +1,87 @@
+#pragma once
+// What a chunk does with its contacts, many at a time: from the bodies' records to what the narrow phase and the law
+// want, and from the law's answer to forces and torques.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamics/kinematics.hpp"
+#include "dynamics/pair_chunk.hpp"
+
+namespace osculate {
+
+/// Pairs, and where their bodies' records are.
+struct PairRecords {
+  std::span<const LocalPair> pairs;
+  const std::int32_t* bodies;  ///< of the chunk
+  const BodyRecord* records;   ///< of all bodies
+};
+
+/// Columns of ContactColumns, of the motion, of the law's answer and of the wrenches.
+namespace of_geometry {
+enum : std::size_t { normal = 0, overlap = 3, on_1 = 4, on_2 = 7, R_i = 20, R_j = 21, major_axis = 22 };
+}
+namespace of_motion {
+enum : std::size_t { velocity = 0, angular = 3, mean_angular = 6, columns = 9 };
+}
+namespace of_answer {
+enum : std::size_t {
+  force = 0,
+  couple = 3,
+  normal_force = 6,
+  stiffness,
+  stored_normal,
+  stored_tangential,
+  viscous_loss,
+  friction_loss,
+  hysteresis_loss,
+  columns
+};
+}
+namespace of_arms {
+enum : std::size_t { arm_1 = 0, arm_2 = 3, columns = 6 };  ///< from the centroids to the contact point [m]
+}
+namespace of_torques {
+enum : std::size_t { on_1 = 0, on_2 = 3, columns = 6 };  ///< about the centroids [N m]
+}
+
+/// Shapes and poses of the pairs as the narrow phase wants them; nothing is repeated in space.
+void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs);
+
+/// Arms and relative motion at the contacts; radii of curvature are held below their caps. Velocities are those of the
+/// step in the contact plane and of its end along the normal. A gap that was proved but not resolved has neither points
+/// nor curvatures: its radii are the caps, its arms and motion zero.
+/// @param shift   what brings body 2 next to body 1 [m]; no rows where nothing is repeated in space
+/// @param needs   angular velocities that are not needed are left alone
+void describe_motion(const PairRecords& of, const Columns<3>& shift, const std::vector<double>& radius_cap,
+                     const LawNeeds& needs, ContactColumns& geometry, Columns<of_arms::columns>& arms,
+                     Columns<of_motion::columns>& motion);
+
+/// A chunk's contacts as the law left them.
+struct LawAnswer {
+  const ContactColumns& geometry;
+  const Columns<of_arms::columns>& arms;
+  const Columns<of_motion::columns>& motion;
+  Columns<of_answer::columns>& answer;
+  double time_step;  ///< [s]
+  bool has_couples, has_springs;
+};
+
+/// Sums over contacts.
+struct LawSums {
+  double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0;  ///< in the step [J]
+  double stored_normal = 0.0, stored_tangential = 0.0;                    ///< [J]
+  /// Energy that normal springs gained since the last step because their coefficients changed: the bodies touch where
+  /// they are curved otherwise. No force took it from the motion. Only of springs that go with a power of the overlap,
+  /// from linear to quadratic. [J]
+  double curvature_gain = 0.0;
+  double stiffest = 0.0;  ///< largest stiffness over reduced mass [1/s²]
+  double deepest = 0.0;   ///< largest overlap [m]
+};
+
+/// Corrects the force where a contact begins or ends (contact_edge.hpp), finds the torques and adds up.
+LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
+                Columns<of_torques::columns>& torques);
+
+}  // namespace osculate
