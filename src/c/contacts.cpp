@@ -26,14 +26,10 @@ static_assert(OSCULATE_NOT_CONVERGED == static_cast<int>(ContactStatus::not_conv
 static_assert(OSCULATE_DEGENERATE == static_cast<int>(ContactStatus::degenerate));
 
 /// A cache as bytes: its state, then the columns of ContactCaches.
-struct PackedCache {
-  std::int64_t state;
-  std::array<double, ContactCaches::width> values;
-};
-static_assert(sizeof(PackedCache) == sizeof(std::int64_t) + ContactCaches::width * sizeof(double));
+constexpr std::size_t cache_bytes = sizeof(std::int64_t) + ContactCaches::width * sizeof(double);
 
 /// Pairs worked on at a time: what the kernels read and write of them stays in the second-level cache.
-constexpr std::size_t most_at_once = 512;
+constexpr std::size_t most_at_once = 256;
 
 Gap gap_of(int gap) {
   if (gap != OSCULATE_GAP_RESOLVE && gap != OSCULATE_GAP_SKIP)
@@ -43,41 +39,55 @@ Gap gap_of(int gap) {
 
 /// `where` makes the text of the place, if it is needed.
 template <class Where>
-void check_pose(const Pose& pose, const Where& where) {
+void check_pose(const std::array<double, 3>& x, const std::array<double, 4>& q, const Where& where) {
   constexpr double unit = 2e-6;  // of the squared length; the kernels take rotations as they are
-  if (!pose.position.allFinite()) throw InputError(where(), "a position that is not finite", "finite numbers [m]");
-  if (!(std::fabs(pose.orientation.squaredNorm() - 1.0) <= unit))
-    throw InputError(where(), "an orientation of length " + std::to_string(pose.orientation.norm()),
+  if (!std::isfinite(std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2])))
+    throw InputError(where(), "a position that is not finite", "finite numbers [m]");
+  const double length2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  if (!(std::fabs(length2 - 1.0) <= unit))
+    throw InputError(where(), "an orientation of length " + std::to_string(std::sqrt(length2)),
                      "a unit quaternion w, x, y, z");
 }
 
-bool is_superquadric(const Shape& shape) {
-  return std::holds_alternative<Superquadric>(shape) || std::holds_alternative<Ellipsoid>(shape) ||
-         std::holds_alternative<Sphere>(shape);
-}
+/// Columns of one piece of memory by where the first begins and how far apart they are: a row of many is then written
+/// without looking up each column.
+struct Strided {
+  double* first;
+  std::size_t stride;
 
-Superquadric superquadric_of(const Shape& shape) {
-  if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape)) return as_superquadric(*ellipsoid);
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return as_superquadric(*sphere);
-  return std::get<Superquadric>(shape);
-}
+  template <std::size_t N>
+  explicit Strided(Columns<N>& columns)
+      : first(columns[0]), stride(static_cast<std::size_t>(columns[1] - columns[0])) {}
+  double* at(std::size_t column, std::size_t row) const { return first + column * stride + row; }
+};
 
-template <class Where>
-void unpack(const unsigned char* bytes, ContactCaches& caches, std::size_t row, const Where& where) {
-  PackedCache packed;
-  std::memcpy(&packed, bytes, sizeof packed);
-  if (packed.state < 0 || packed.state > static_cast<int>(ContactCache::State::separation))
-    throw InputError(where(), "a cache of bytes that no call left there", "zeros, or what a call left");
-  caches.states[row] = static_cast<ContactCache::State>(packed.state);
-  for (std::size_t k = 0; k < packed.values.size(); ++k) caches.columns[k][row] = packed.values[k];
-}
+/// A row of ContactCaches from bytes and to bytes.
+class CacheRows {
+ public:
+  explicit CacheRows(ContactCaches& caches) : states_(caches.states.data()), columns_(caches.columns) {}
 
-void pack(const ContactCaches& caches, std::size_t row, unsigned char* bytes) {
-  PackedCache packed;
-  packed.state = static_cast<std::int64_t>(caches.states[row]);
-  for (std::size_t k = 0; k < packed.values.size(); ++k) packed.values[k] = caches.columns[k][row];
-  std::memcpy(bytes, &packed, sizeof packed);
-}
+  template <class Where>
+  void unpack(const unsigned char* bytes, std::size_t row, const Where& where) const {
+    std::int64_t state;
+    std::memcpy(&state, bytes, sizeof state);
+    if (state < 0 || state > static_cast<int>(ContactCache::State::separation))
+      throw InputError(where(), "a cache of bytes that no call left there", "zeros, or what a call left");
+    states_[row] = static_cast<ContactCache::State>(state);
+    for (std::size_t k = 0; k < ContactCaches::width; ++k)
+      std::memcpy(columns_.at(k, row), bytes + sizeof state + k * sizeof(double), sizeof(double));
+  }
+
+  void pack(std::size_t row, unsigned char* bytes) const {
+    const auto state = static_cast<std::int64_t>(states_[row]);
+    std::memcpy(bytes, &state, sizeof state);
+    for (std::size_t k = 0; k < ContactCaches::width; ++k)
+      std::memcpy(bytes + sizeof state + k * sizeof(double), columns_.at(k, row), sizeof(double));
+  }
+
+ private:
+  ContactCache::State* states_;
+  Strided columns_;
+};
 
 /// Where the columns of ContactColumns go; those that are not wanted are NULL.
 std::array<double*, 25> targets(const osculate_contact_columns& to) {
@@ -148,20 +158,23 @@ class Search {
   void run(std::size_t start, std::size_t end) {
     smooth_.pairs.clear(), any_.pairs.clear();
     superquadrics_.resize(end - start);
+    const Strided columns(superquadrics_.columns);
     for (std::size_t pair = start; pair < end; ++pair) {
-      const Body one = body(body_1_[pair], pair), two = body(body_2_[pair], pair);
-      const bool smooth = is_superquadric(*one.shape) && is_superquadric(*two.shape);
-      if (!smooth && !is_particle(*one.shape) && !is_particle(*two.shape))
-        throw InputError("pair " + std::to_string(pair), "two walls", "at most one");
-      Rows& rows = smooth ? smooth_ : any_;
-      const std::size_t row = rows.pairs.size();
-      rows.pairs.push_back(pair);
-      if (smooth) {
-        superquadrics_.set(row, superquadric_of(*one.shape), one.pose, superquadric_of(*two.shape), two.pose);
-      } else {
-        shapes_.resize(row + 1);
-        shapes_.set(row, *one.shape, one.pose, *two.shape, two.pose);
+      const std::size_t one = body(body_1_[pair], pair), two = body(body_2_[pair], pair);
+      const osculate_shape &shape_1 = *bodies_.shape[one], &shape_2 = *bodies_.shape[two];
+      if (shape_1.is_superquadric && shape_2.is_superquadric) {
+        const std::size_t row = smooth_.pairs.size();
+        place(one, columns, 0, row);
+        place(two, columns, SuperquadricPairs::per_body, row);
+        smooth_.pairs.push_back(pair);
+        continue;
       }
+      if (!shape_1.is_particle && !shape_2.is_particle)
+        throw InputError("pair " + std::to_string(pair), "two walls", "at most one");
+      const std::size_t row = any_.pairs.size();
+      shapes_.resize(row + 1);
+      shapes_.set(row, shape_1.shape, pose(one), shape_2.shape, pose(two));
+      any_.pairs.push_back(pair);
     }
     superquadrics_.resize(smooth_.pairs.size());
     shapes_.resize(any_.pairs.size());
@@ -172,43 +185,63 @@ class Search {
   }
 
  private:
-  struct Body {
-    const Shape* shape;
-    Pose pose;
-  };
+  Pose pose(std::size_t i) const {
+    const auto& x = bodies_.position;
+    const auto& q = bodies_.orientation;
+    return {.position = Vec3(x[0][i], x[1][i], x[2][i]), .orientation = Quat(q[0][i], q[1][i], q[2][i], q[3][i])};
+  }
 
-  Body body(std::int32_t index, std::size_t pair) const {
-    const auto where = [&] { return "pair " + std::to_string(pair) + ", body " + std::to_string(index); };
+  /// A body's index, once it is known to be in order.
+  std::size_t body(std::int32_t index, std::size_t pair) const {
     if (index < 0 || static_cast<std::size_t>(index) >= bodies_.size)
       throw InputError("pair " + std::to_string(pair), "body " + std::to_string(index),
                        "an index below " + std::to_string(bodies_.size));
+    const auto where = [&] { return "pair " + std::to_string(pair) + ", body " + std::to_string(index); };
     const auto i = static_cast<std::size_t>(index);
     if (bodies_.shape[i] == nullptr) throw c::NullPointer(where() + ", shape");
-    const Pose pose{.position = Vec3(bodies_.position[0][i], bodies_.position[1][i], bodies_.position[2][i]),
-                    .orientation = Quat(bodies_.orientation[0][i], bodies_.orientation[1][i], bodies_.orientation[2][i],
-                                        bodies_.orientation[3][i])};
-    check_pose(pose, where);
-    return {&bodies_.shape[i]->shape, pose};
+    const auto& x = bodies_.position;
+    const auto& q = bodies_.orientation;
+    check_pose({x[0][i], x[1][i], x[2][i]}, {q[0][i], q[1][i], q[2][i], q[3][i]}, where);
+    return i;
+  }
+
+  /// One body's part of a row of SuperquadricPairs.
+  void place(std::size_t i, const Strided& columns, std::size_t column, std::size_t row) const {
+    const std::array<double, 5>& shape = bodies_.shape[i]->columns;
+    for (const double value : shape) *columns.at(column++, row) = value;
+    for (const double* position : bodies_.position) *columns.at(column++, row) = position[i];
+    for (const double* orientation : bodies_.orientation) *columns.at(column++, row) = orientation[i];
   }
 
   void read_caches(Rows& rows) const {
     if (caches_ == nullptr) rows.caches.resize(0);
     rows.caches.resize(rows.pairs.size());  // what is new is empty
     if (caches_ == nullptr) return;
+    const CacheRows to(rows.caches);
     for (std::size_t row = 0; row < rows.pairs.size(); ++row)
-      unpack(caches_ + rows.pairs[row] * sizeof(PackedCache), rows.caches, row,
-             [&] { return "pair " + std::to_string(rows.pairs[row]); });
+      to.unpack(caches_ + rows.pairs[row] * cache_bytes, row,
+                [&] { return "pair " + std::to_string(rows.pairs[row]); });
   }
 
-  void write(const Rows& rows) const {
-    for (std::size_t row = 0; row < rows.pairs.size(); ++row) {
+  void write(Rows& rows) const {
+    const std::size_t size = rows.pairs.size();
+    if (size == 0) return;
+    for (std::size_t row = 0; row < size; ++row)
       statuses_[rows.pairs[row]] = static_cast<std::int32_t>(rows.contacts.statuses[row]);
-      if (caches_ != nullptr) pack(rows.caches, row, caches_ + rows.pairs[row] * sizeof(PackedCache));
+    if (caches_ != nullptr) {
+      const CacheRows from(rows.caches);
+      for (std::size_t row = 0; row < size; ++row) from.pack(row, caches_ + rows.pairs[row] * cache_bytes);
     }
+    const std::size_t first = rows.pairs.front();
+    const bool contiguous = rows.pairs.back() - first + 1 == size;
     for (std::size_t k = 0; k < targets_.size(); ++k) {
-      if (targets_[k] == nullptr) continue;
-      for (std::size_t row = 0; row < rows.pairs.size(); ++row)
-        targets_[k][rows.pairs[row]] = rows.contacts.columns[k][row];
+      double* const target = targets_[k];
+      const double* const column = rows.contacts.columns[k];
+      if (target == nullptr) continue;
+      if (contiguous)
+        std::copy_n(column, size, target + first);
+      else
+        for (std::size_t row = 0; row < size; ++row) target[rows.pairs[row]] = column[row];
     }
   }
 
@@ -231,7 +264,7 @@ Pose pose_of(const osculate_pose& pose) {
 }  // namespace
 
 size_t osculate_cache_size(void) {
-  return sizeof(PackedCache);
+  return cache_bytes;
 }
 
 int osculate_find_contact(const osculate_shape* shape_1, const osculate_pose* pose_1, const osculate_shape* shape_2,
@@ -240,17 +273,17 @@ int osculate_find_contact(const osculate_shape* shape_1, const osculate_pose* po
     const Shape &one = required(shape_1, "shape_1").shape, &two = required(shape_2, "shape_2").shape;
     const Pose at_1 = pose_of(required(pose_1, "pose_1")), at_2 = pose_of(required(pose_2, "pose_2"));
     required(contact, "contact");
-    check_pose(at_1, [] { return "pose_1"; });
-    check_pose(at_2, [] { return "pose_2"; });
+    check_pose(std::to_array(pose_1->position), std::to_array(pose_1->orientation), [] { return "pose_1"; });
+    check_pose(std::to_array(pose_2->position), std::to_array(pose_2->orientation), [] { return "pose_2"; });
     const Gap how = gap_of(gap);
     ContactCaches caches;
     caches.resize(1);
     auto* const bytes = static_cast<unsigned char*>(cache);
-    if (bytes != nullptr) unpack(bytes, caches, 0, [] { return "cache"; });
+    if (bytes != nullptr) CacheRows(caches).unpack(bytes, 0, [] { return "cache"; });
     ContactCache known = caches.get(0);
     const ContactGeometry found = common_normal(one, at_1, two, at_2, known, how);
     caches.set(0, known);
-    if (bytes != nullptr) pack(caches, 0, bytes);
+    if (bytes != nullptr) CacheRows(caches).pack(0, bytes);
 
     const auto put = [](const Vec3& from, double* to) { Eigen::Map<Vec3>{to} = from; };
     contact->status = static_cast<std::int32_t>(found.status);

@@ -28,8 +28,8 @@ static_assert(OSCULATE_LARGE_CONTACT == static_cast<int>(LawStatus::large_contac
 static_assert(OSCULATE_LAW_NOT_CONVERGED == static_cast<int>(LawStatus::not_converged));
 static_assert(OSCULATE_BAD_NUMBER == static_cast<int>(LawStatus::bad_input));
 
-/// Contacts worked on at a time: whole blocks of memory that stay in the first two levels of cache.
-constexpr std::size_t most_at_once = 32 * law_lanes;
+/// Contacts worked on at a time: whole blocks of memory that stay in the first level of cache.
+constexpr std::size_t most_at_once = 8 * law_lanes;
 
 LawChoice choice_of(std::span<const osculate_law_setting> settings) {
   LawChoice choice;
@@ -139,6 +139,22 @@ struct FilledGaps {
   }
 };
 
+/// Memories from one contact after another to blocks, and back. What fills up the last block is left as it is.
+void gather(const unsigned char* bytes, std::size_t count, std::size_t entries, double* blocks) {
+  for (std::size_t i = 0; i < count; ++i, bytes += entries * sizeof(double)) {
+    double* const lane = blocks + i / law_lanes * entries * law_lanes + i % law_lanes;
+    for (std::size_t m = 0; m < entries; ++m)
+      std::memcpy(lane + m * law_lanes, bytes + m * sizeof(double), sizeof(double));
+  }
+}
+void scatter(const double* blocks, std::size_t count, std::size_t entries, unsigned char* bytes) {
+  for (std::size_t i = 0; i < count; ++i, bytes += entries * sizeof(double)) {
+    const double* const lane = blocks + i / law_lanes * entries * law_lanes + i % law_lanes;
+    for (std::size_t m = 0; m < entries; ++m)
+      std::memcpy(bytes + m * sizeof(double), lane + m * law_lanes, sizeof(double));
+  }
+}
+
 /// Evaluates all contacts and returns the first whose numbers were bad, or their count if there is none.
 std::size_t evaluate(const osculate_law& handle, const osculate_approach_columns& approach, unsigned char* memories,
                      const osculate_force_columns& forces) {
@@ -152,27 +168,17 @@ std::size_t evaluate(const osculate_law& handle, const osculate_approach_columns
   if (!law.makes_couples()) output.couple = {};
 
   std::vector<double, AlignedAllocator<double>> memory(law.memory_length(std::min(size, most_at_once)));
-  std::vector<double> own(entries);
   std::array<LawStatus, most_at_once> status;
   FilledGaps gaps;
   std::size_t first_bad = size;
   for (std::size_t start = 0; start < size; start += most_at_once) {
     const std::size_t count = std::min(most_at_once, size - start);
-    const auto lane = [&](std::size_t i) {
-      return memory.data() + i / law_lanes * entries * law_lanes + i % law_lanes;
-    };
-    for (std::size_t i = 0; i < count && entries > 0; ++i) {
-      std::memcpy(own.data(), memories + (start + i) * bytes, bytes);
-      for (std::size_t m = 0; m < entries; ++m) lane(i)[m * law_lanes] = own[m];
-    }
+    gather(memories + start * bytes, count, entries, memory.data());
     LawOutput part = output.part(start, count);
     part.status = std::span(status).first(count);
     const LawInput in = input.part(start, count);
     law.evaluate(handle.acts_across_gaps ? in : gaps.fill(in), std::span(memory).first(law.memory_length(count)), part);
-    for (std::size_t i = 0; i < count && entries > 0; ++i) {
-      for (std::size_t m = 0; m < entries; ++m) own[m] = lane(i)[m * law_lanes];
-      std::memcpy(memories + (start + i) * bytes, own.data(), bytes);
-    }
+    scatter(memory.data(), count, entries, memories + start * bytes);
     for (std::size_t i = 0; i < count; ++i) {
       forces.status[start + i] = static_cast<std::int32_t>(status[i]);
       if (status[i] == LawStatus::bad_input) first_bad = std::min(first_bad, start + i);

@@ -1,5 +1,8 @@
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "c/boundary.hpp"
 #include "c/handles.hpp"
@@ -10,6 +13,26 @@ using namespace osculate;
 using c::guarded;
 using c::required;
 
+struct AsSuperquadric {
+  std::optional<Superquadric> operator()(const Superquadric& shape) const { return shape; }
+  std::optional<Superquadric> operator()(const Ellipsoid& shape) const { return as_superquadric(shape); }
+  std::optional<Superquadric> operator()(const Sphere& shape) const { return as_superquadric(shape); }
+  template <class Other>
+  std::optional<Superquadric> operator()(const Other&) const {
+    return std::nullopt;
+  }
+};
+
+osculate_shape* handle_of(Shape shape) {
+  const std::optional<Superquadric> smooth = std::visit(AsSuperquadric{}, shape);
+  std::array<double, 5> columns{};
+  if (smooth)
+    columns = {smooth->half_axes.x(), smooth->half_axes.y(), smooth->half_axes.z(), smooth->exponents.n1,
+               smooth->exponents.n2};
+  const bool particle = is_particle(shape);
+  return new osculate_shape{std::move(shape), particle, smooth.has_value(), columns};
+}
+
 /// Makes a shape of a C function's arguments and hands it over once it is known to be valid.
 template <class Make>
 int make_shape(const char* function, osculate_shape** shape, const Make& make) noexcept {
@@ -17,7 +40,7 @@ int make_shape(const char* function, osculate_shape** shape, const Make& make) n
     required(shape, "shape");
     Shape made = make();
     validate(made);
-    *shape = new osculate_shape{std::move(made)};
+    *shape = handle_of(std::move(made));
   });
 }
 
