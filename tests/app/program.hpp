@@ -9,19 +9,13 @@
 #include <iterator>
 #include <string>
 
+#include "temporary.hpp"
+
 namespace osculate::test {
 
 inline std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// A folder for the files of one test, empty.
-inline std::filesystem::path fresh_folder(const std::string& name) {
-  const auto folder = std::filesystem::temp_directory_path() / ("osculate_app_test_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
 }
 
 struct Run {

@@ -13,13 +13,7 @@
 namespace {
 
 using osculate::io::AtomicFile;
-
-std::filesystem::path fresh_folder() {
-  const auto folder = temporary("atomic_file_test");
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
+using osculate::test::fresh_folder;
 
 std::string content(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -33,7 +27,7 @@ std::ptrdiff_t files_in(const std::filesystem::path& folder) {
 }  // namespace
 
 TEST_CASE("A file that is given up leaves the old content and nothing else") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("atomic_file_test");
   const auto path = folder / "answer.csv";
   osculate::io::write_atomically(path.string(), "old\n");
   {
@@ -45,7 +39,7 @@ TEST_CASE("A file that is given up leaves the old content and nothing else") {
 }
 
 TEST_CASE("A committed file replaces the old content and can be read by whoever may read new files") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("atomic_file_test");
   const auto path = folder / "answer.csv";
   osculate::io::write_atomically(path.string(), "old\n");
   AtomicFile file(path.string());
@@ -60,7 +54,7 @@ TEST_CASE("A committed file replaces the old content and can be read by whoever 
 }
 
 TEST_CASE("A link stays a link: the file it points to is replaced") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("atomic_file_test");
   osculate::io::write_atomically((folder / "real.csv").string(), "old\n");
   std::filesystem::create_symlink("real.csv", folder / "link.csv");
   osculate::io::write_atomically((folder / "link.csv").string(), "new\n");
@@ -70,7 +64,7 @@ TEST_CASE("A link stays a link: the file it points to is replaced") {
 }
 
 TEST_CASE("A pipe is written to and stays a pipe") {
-  const auto pipe = fresh_folder() / "pipe";
+  const auto pipe = fresh_folder("atomic_file_test") / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   // Open for reading and writing, so that neither end waits for the other.
   std::fstream reader(pipe);
@@ -82,7 +76,7 @@ TEST_CASE("A pipe is written to and stays a pipe") {
 }
 
 TEST_CASE("A place where no file can be written is an input error that names it") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("atomic_file_test");
   CHECK_THROWS_WITH(AtomicFile((folder / "no_such_folder" / "x.csv").string()),
                     Catch::Contains("no_such_folder/x.csv") && Catch::Contains("No such file or directory"));
   CHECK_THROWS_WITH(AtomicFile(folder.string()), Catch::Contains("directory"));

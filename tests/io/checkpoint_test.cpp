@@ -10,12 +10,7 @@
 namespace osculate::io {
 namespace {
 
-std::filesystem::path fresh_folder() {
-  const auto folder = temporary("checkpoint_test");
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
+using test::fresh_folder;
 
 Checkpoint checkpoint_of(std::uint64_t frames) {
   return {.scene = 0x123456789ABCDEF0,
@@ -35,7 +30,7 @@ std::string bytes_of(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("A checkpoint gives back what it was made of") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("checkpoint");
   CHECK_FALSE(find_checkpoint(folder).has_value());
   write_checkpoint(folder, checkpoint_of(3));
   const auto found = find_checkpoint(folder);
@@ -52,7 +47,7 @@ TEST_CASE("A checkpoint gives back what it was made of") {
 }
 
 TEST_CASE("A damaged checkpoint is told, and the one before it serves") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("checkpoint");
   write_checkpoint(folder, checkpoint_of(1));
   write_checkpoint(folder, checkpoint_of(2));
   const std::string sound = bytes_of(checkpoint_path(folder));
@@ -78,7 +73,7 @@ TEST_CASE("A damaged checkpoint is told, and the one before it serves") {
 }
 
 TEST_CASE("A kill between the two renames of a checkpoint loses nothing") {
-  const auto folder = fresh_folder();
+  const auto folder = fresh_folder("checkpoint");
   write_checkpoint(folder, checkpoint_of(1));
   write_checkpoint(folder, checkpoint_of(2));
   std::filesystem::rename(checkpoint_path(folder), folder / "checkpoint.new.bin");

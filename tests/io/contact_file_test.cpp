@@ -13,6 +13,7 @@ namespace {
 
 using Catch::Contains;
 using osculate::io::read_contact_file;
+using osculate::test::temporary;
 
 /// Lines 1–4 and 5–9 of every test file: what a test leaves alone.
 const std::string body_1 =

@@ -12,9 +12,11 @@
 #include "io/polyhedron.hpp"
 #include "io/shape_properties.hpp"
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 using namespace osculate;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 
@@ -30,14 +32,13 @@ std::vector<double> data_array(const std::string& text, const std::string& name)
   return {std::istream_iterator<double>(stream), std::istream_iterator<double>()};
 }
 
-const auto folder = std::filesystem::temp_directory_path();
 const Shape ellipsoid = Ellipsoid{Vec3(1e-3, 2e-3, 3e-3)};
 
 }  // namespace
 
 TEST_CASE("An OBJ surface reads back to the last digit") {
   const auto surface = io::curved_surface(ellipsoid, 6);
-  const auto path = folder / "osculate_mesh_test.obj";
+  const auto path = temporary("mesh_test.obj");
   io::write_obj(surface, io::CurvatureKind::mean, path);
   const auto solid = io::read_polyhedron(path);
   CHECK(solid.vertices == surface.mesh.vertices);
@@ -48,7 +49,7 @@ TEST_CASE("An OBJ surface reads back to the last digit") {
 
 TEST_CASE("A VTP surface carries points, curvatures and normals of every vertex to the last digit") {
   const auto surface = io::curved_surface(ellipsoid, 6);
-  const auto path = folder / "osculate_mesh_test.vtp";
+  const auto path = temporary("mesh_test.vtp");
   io::write_vtp(surface, io::CurvatureKind::gaussian, path);
   const std::string text = text_of(path);
   const std::size_t points = surface.mesh.vertices.size(), triangles = surface.mesh.triangles.size();

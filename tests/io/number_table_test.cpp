@@ -11,6 +11,7 @@
 
 using namespace osculate;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 

@@ -13,6 +13,7 @@ namespace {
 using osculate::io::PairBlock;
 using osculate::io::PairTableReader;
 using osculate::io::ReferenceColumns;
+using osculate::test::temporary;
 
 const std::string header = "a1,b1,c1,n1_1,n2_1,x1,y1,z1,qw1,qx1,qy1,qz1,a2,b2,c2,n1_2,n2_2,x2,y2,z2,qw2,qx2,qy2,qz2";
 const std::string line = "1,2,3,4,5,6,7,8,1,0,0,0,9,10,11,12,13,14,15,16,0,0,0.6,0.8";

@@ -12,6 +12,7 @@
 
 using namespace osculate;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 

@@ -1,7 +1,5 @@
 #include "io/plot.hpp"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -12,9 +10,11 @@
 
 #include "io/plot_layout.hpp"
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 
 using namespace osculate;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 
@@ -36,7 +36,7 @@ io::Plot plot_of(io::Panel panel) {
 }
 
 std::filesystem::path scratch(const char* name) {
-  return std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + name);
+  return temporary(name);
 }
 
 std::string content(const std::filesystem::path& path) {

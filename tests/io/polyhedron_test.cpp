@@ -7,17 +7,18 @@
 #include <string>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 #include "tools/convex_hull.hpp"
 
 using namespace osculate;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 
 /// A file that lives as long as the test.
 struct TemporaryFile {
-  TemporaryFile(const std::string& name, const std::string& content)
-      : path(std::filesystem::temp_directory_path() / ("osculate_test_" + name)) {
+  TemporaryFile(const std::string& name, const std::string& content) : path(temporary(name)) {
     std::ofstream(path, std::ios::binary) << content;
   }
   ~TemporaryFile() { std::filesystem::remove(path); }

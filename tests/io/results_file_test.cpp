@@ -14,12 +14,10 @@
 namespace osculate::io {
 namespace {
 
+using test::fresh_folder;
+
 std::filesystem::path fresh_path(const std::string& name) {
-  const auto folder = temporary("results_test");
-  std::filesystem::create_directories(folder);
-  std::filesystem::remove(folder / name);
-  std::filesystem::remove(journal_path(folder / name));
-  return folder / name;
+  return fresh_folder("results_" + name) / name;
 }
 
 ResultsHead head_of_all_shapes() {

@@ -9,6 +9,8 @@
 namespace osculate::io {
 namespace {
 
+using test::fresh_folder;
+
 constexpr const char* good = R"(length_unit = "mm"
 gravity = [0, 0, -9.81]
 [[materials]]
@@ -77,8 +79,7 @@ interval = "0.1 ms"
 )";
 
 std::filesystem::path put(const std::string& text) {
-  const auto folder = temporary("scene_test");
-  std::filesystem::create_directories(folder);
+  const auto folder = fresh_folder("scene");
   std::ofstream(folder / "scene.toml") << text;
   return folder / "scene.toml";
 }

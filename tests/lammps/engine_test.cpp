@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int columns = 16;
 /// Position, velocity, angular velocity, orientation w x y z, force with gravity.
+using test::temporary;
 using Row = std::array<double, columns>;
 /// By step, then by tag.
 using Frames = std::map<std::uint64_t, std::map<int, Row>>;

@@ -1,16 +1,16 @@
 #include "validation/contact_mechanics/reference_errors.hpp"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <set>
 
 #include "osculate/core/error.hpp"
+#include "temporary.hpp"
 #include "validation/test_names.hpp"
 
 namespace reference = osculate::validation::contact_mechanics;
 using Catch::Matchers::Contains;
+using osculate::test::temporary;
 
 namespace {
 
@@ -22,7 +22,7 @@ std::filesystem::path changed(const std::string& from, const std::string& to) {
   const std::size_t at = content.find(from);
   REQUIRE(at != std::string::npos);
   content.replace(at, from.size(), to);
-  const auto path = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_reference.json");
+  const auto path = temporary("reference.json");
   std::ofstream(path) << content;
   return path;
 }
