@@ -8,26 +8,14 @@
 #include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
-#include "osculate/mechanics/elliptic_integrals.hpp"
 
 namespace twisting = osculate::twisting;
-using osculate::ContactEllipse;
 using osculate::ElasticMaterial;
 
 namespace {
 
 const ElasticMaterial glass{.youngs_modulus = 71e9, .poissons_ratio = 0.22};
 const ElasticMaterial steel{.youngs_modulus = 210e9, .poissons_ratio = 0.29};
-
-ContactEllipse ellipse_of(double e2) {
-  const auto integrals = osculate::complete_elliptic(1.0 - e2);
-  return {.R_c = 1.0,
-          .axis_ratio = std::sqrt(1.0 - e2),
-          .e2 = e2,
-          .K = integrals.K,
-          .E = integrals.E,
-          .ratio_limited = false};
-}
 
 }  // namespace
 
