@@ -30,7 +30,8 @@ inline void require_restitution(const std::string& where, double value) {
 inline void require_columns(const std::string& where, std::size_t size, std::initializer_list<std::size_t> others) {
   for (const std::size_t other : others)
     if (other != size)
-      throw InputError(where, "a column of " + std::to_string(other) + " values", std::to_string(size) + " as in R_i");
+      throw InputError(where, "a column of " + std::to_string(other) + " values",
+                       std::to_string(size) + " as in the first");
 }
 
 }  // namespace osculate

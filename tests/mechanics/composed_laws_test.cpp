@@ -9,7 +9,7 @@
 
 #include "mechanics/law_bed.hpp"
 #include "mechanics/law_choices.hpp"
-#include "osculate/mechanics/contact_ellipse.hpp"
+#include "osculate/mechanics/elliptic_integrals.hpp"
 
 using namespace osculate;
 
@@ -212,7 +212,7 @@ TEST_CASE("On random paths friction stays within what the load allows and no ene
         const double limit = friction * std::max(bed.normal_force[i] + held_by_adhesion(one.choice, rows[i]), 0.0);
         if (!holds(one.choice, "viscous")) excess = std::max(excess, sliding - limit * (1.0 + rounding) - 1e-9);
         // Spinning in place takes 3/8 μ F_n a_c E, the most that friction can give about the normal.
-        const double arm = 0.375 * bed.a_c[i] * contact_ellipse(rows[i].R_i, rows[i].R_j).E;
+        const double arm = 0.375 * bed.a_c[i] * complete_elliptic(bed.axis_ratio[i] * bed.axis_ratio[i]).E;
         excess_moment = std::max(excess_moment, bed.couple(i).norm() - limit * arm * (1.0 + rounding) - 1e-13);
         const double loss = bed.viscous_loss[i] + bed.friction_loss[i] + bed.hysteresis_loss[i];
         lost[i] += loss;
