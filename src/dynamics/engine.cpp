@@ -8,6 +8,7 @@
 #include "dynamics/driven_travel.hpp"
 #include "dynamics/fault_text.hpp"
 #include "dynamics/move_bodies.hpp"
+#include "dynamics/pouring.hpp"
 
 namespace osculate {
 namespace {
@@ -58,22 +59,44 @@ Simulation::Engine::Engine(const Setup& setup)
 
 /// Everything that has one entry a body, with the bodies where they are.
 void Simulation::Engine::make_room() {
-  kinematics_.records.resize(bodies_.size());
-  kinematics_.travel.assign(bodies_.size(), 0.0);
-  step_travel_.assign(bodies_.size(), 0.0);
-  listed_at_ = bodies_.position;
+  poured_.resize(world_.setup.pours.size());
   scratch_.resize(static_cast<std::size_t>(threads_.count()));
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    BodyRecord& record = kinematics_.records[i];
-    const auto numbers = superquadric_numbers(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].shape);
-    std::copy(numbers.begin(), numbers.end(), record.placed.begin());
-    record.place(bodies_.position[i], bodies_.orientation[i]);
-    radius_.push_back(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius);
-    if (!bodies_.is_free(i)) driven_.push_back({.body = i});
-  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) make_room_for(i);
+}
+
+void Simulation::Engine::make_room_for(std::size_t body) {
+  const BodyShape& shape = world_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
+  BodyRecord& record = kinematics_.records.emplace_back();
+  const auto numbers = superquadric_numbers(shape.shape);
+  std::copy(numbers.begin(), numbers.end(), record.placed.begin());
+  record.place(bodies_.position[body], bodies_.orientation[body]);
+  kinematics_.travel.push_back(0.0);
+  step_travel_.push_back(0.0);
+  listed_at_.push_back(bodies_.position[body]);
+  radius_.push_back(shape.bounding_radius);
+  if (!bodies_.is_free(body)) driven_.push_back({.body = body});
+}
+
+/// Particles that are due come in, each further from everything than any force acts.
+void Simulation::Engine::pour() {
+  if (steps_ % steps_between_pours != 0) return;
+  const std::size_t before = bodies_.size();
+  for (std::size_t p = 0; p < poured_.size(); ++p)
+    for (const BodyStart& start : poured_now(world_, bodies_, world_.setup.pours[p], steps_, poured_[p])) {
+      const std::size_t body = bodies_.size();
+      append_body(world_, start, "body " + std::to_string(body), bodies_);
+      make_room_for(body);
+      poured_energy_ +=
+          bodies_.mass[body] * (0.5 * start.velocity.squaredNorm() - world_.setup.gravity.dot(start.pose.position));
+    }
+  if (bodies_.size() > before) rebuild();
 }
 
 void Simulation::Engine::step() {
+  {
+    const StageClock clock(times_.broad);
+    pour();
+  }
   {
     const StageClock clock(times_.move);
     move();
@@ -161,6 +184,7 @@ void Simulation::Engine::rebuild() {
     lower = lower.cwiseMin(bodies_.position[i]);
     upper = upper.cwiseMax(bodies_.position[i]);
   }
+  if (!(lower.x() <= upper.x())) lower = upper = Vec3::Zero();  // nothing has come in yet
   centre_ = 0.5 * (lower + upper);
   double largest = 0.0;
   for (const BodyShape& shape : world_.shapes)
@@ -233,6 +257,7 @@ EnergyLedger Simulation::Engine::energy() const {
     energy.curvature_gain += chunk.curvature_gain;
   }
   energy.driven_work = driven_work_;
+  energy.poured = poured_energy_;
   return energy;
 }
 

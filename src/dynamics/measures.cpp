@@ -14,21 +14,6 @@ std::size_t index_of(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
-BoxRegion bounds(const Region& region) {
-  struct Bounds {
-    BoxRegion operator()(const BoxRegion& box) const { return box; }
-    BoxRegion operator()(const CylinderRegion& cylinder) const {
-      const Vec3 side(cylinder.radius, cylinder.radius, 0.0);
-      return {.lower = cylinder.base - side, .upper = cylinder.base + side + cylinder.height * Vec3::UnitZ()};
-    }
-    BoxRegion operator()(const SphereRegion& sphere) const {
-      const Vec3 side = Vec3::Constant(sphere.radius);
-      return {.lower = sphere.centre - side, .upper = sphere.centre + side};
-    }
-  };
-  return std::visit(Bounds{}, region);
-}
-
 /// A body and its images in a periodic box that reach into another box.
 std::vector<Vec3> images(const PeriodicBox& periodic, const Vec3& position, double radius, const BoxRegion& box) {
   std::vector<Vec3> found{wrapped(periodic, position)};
@@ -69,6 +54,7 @@ Connectivity connectivity(const Simulation& simulation) {
     ++result.particles;
     if (touching[i] < 2) ++result.rattlers;
   }
+  if (result.particles == 0) return result;
   result.coordination = static_cast<double>(ends) / static_cast<double>(result.particles);
   result.particle_coordination = static_cast<double>(free_ends) / static_cast<double>(result.particles);
   return result;

@@ -26,6 +26,9 @@ const Setup& Simulation::setup() const {
 const Bodies& Simulation::bodies() const {
   return engine_->bodies();
 }
+std::span<const Poured> Simulation::poured() const {
+  return engine_->poured();
+}
 std::span<const BodyShape> Simulation::shapes() const {
   return engine_->world().shapes;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "dynamics/pouring.hpp"
 #include "osculate/core/error.hpp"
 
 namespace osculate {
@@ -108,6 +109,12 @@ void require_laws(const World& world) {
     ++all[material];
     if (body.motion == Bodies::free) ++free[material];
   }
+  for (const Pour& pour : setup.pours)
+    for (const Kind& kind : pour.kinds) {
+      constexpr std::int64_t several = 2;
+      all[static_cast<std::size_t>(kind.material)] += several;
+      free[static_cast<std::size_t>(kind.material)] += several;
+    }
   for (std::size_t one = 0; one < all.size(); ++one)
     for (std::size_t two = 0; two < all.size(); ++two) {
       const bool may_meet = free[one] > 0 && all[two] > (one == two ? 1 : 0);
@@ -131,13 +138,14 @@ World make_world(const Setup& setup) {
   for (std::size_t i = 0; i < setup.motions.size(); ++i)
     at_place("motion " + std::to_string(i), [&] { validate(setup.motions[i]); });
 
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) check_body(setup, i);
+  for (std::size_t i = 0; i < setup.pours.size(); ++i) check_pour(setup, setup.pours[i], "pour " + std::to_string(i));
   bool any_free = false;
   double least_radius = std::numeric_limits<double>::infinity(), most_radius = 0.0, most_volume_radius = 0.0;
   world.least_half_width = least_radius;
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    check_body(setup, i);
-    any_free = any_free || setup.bodies[i].motion == Bodies::free;
-    const BodyShape& shape = world.shapes[static_cast<std::size_t>(setup.bodies[i].shape)];
+  for (const BodyKind& kind : body_kinds(setup)) {
+    any_free = any_free || kind.is_free;
+    const BodyShape& shape = world.shapes[static_cast<std::size_t>(kind.shape)];
     if (!std::isfinite(shape.bounding_radius)) continue;
     least_radius = std::min(least_radius, shape.bounding_radius);
     most_radius = std::max(most_radius, shape.bounding_radius);
@@ -163,31 +171,40 @@ void validate(const Setup& setup) {
   make_world(setup);
 }
 
+std::set<BodyKind> body_kinds(const Setup& setup) {
+  std::set<BodyKind> kinds;
+  for (const BodyStart& body : setup.bodies) kinds.insert({body.shape, body.material, body.motion == Bodies::free});
+  for (const Pour& pour : setup.pours)
+    for (const Kind& kind : pour.kinds) kinds.insert({kind.shape, kind.material, true});
+  return kinds;
+}
+
+void append_body(const World& world, const BodyStart& start, const std::string& where, Bodies& bodies) {
+  const BodyShape& shape = world.shapes[static_cast<std::size_t>(start.shape)];
+  const double density = world.setup.materials[static_cast<std::size_t>(start.material)].density;
+  const double mass = density * shape.volume;
+  const Vec3 inertia = density * shape.inertia;
+  const Quat orientation = start.pose.orientation.normalized();
+  const bool is_free = start.motion == Bodies::free;
+  require(!is_free || (mass > 0.0 && inertia.minCoeff() > 0.0 && std::isfinite(mass)), where,
+          "mass " + number(mass) + " kg", "a finite mass and inertia > 0");
+  bodies.shape.push_back(start.shape);
+  bodies.material.push_back(start.material);
+  bodies.motion.push_back(start.motion);
+  bodies.position.push_back(start.pose.position);
+  bodies.orientation.push_back(orientation);
+  bodies.velocity.push_back(start.velocity);
+  bodies.angular_momentum.push_back(inertia.cwiseProduct(orientation.conjugate() * start.angular_velocity));
+  bodies.force.push_back(Vec3::Zero());
+  bodies.torque.push_back(Vec3::Zero());
+  bodies.mass.push_back(mass);
+  bodies.inertia.push_back(inertia);
+}
+
 Bodies make_bodies(const World& world) {
-  const std::vector<BodyStart>& starts = world.setup.bodies;
   Bodies bodies;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const BodyStart& start = starts[i];
-    const BodyShape& shape = world.shapes[static_cast<std::size_t>(start.shape)];
-    const double density = world.setup.materials[static_cast<std::size_t>(start.material)].density;
-    const double mass = density * shape.volume;
-    const Vec3 inertia = density * shape.inertia;
-    const Quat orientation = start.pose.orientation.normalized();
-    const bool is_free = start.motion == Bodies::free;
-    require(!is_free || (mass > 0.0 && inertia.minCoeff() > 0.0 && std::isfinite(mass)), "body " + std::to_string(i),
-            "mass " + number(mass) + " kg", "a finite mass and inertia > 0");
-    bodies.shape.push_back(start.shape);
-    bodies.material.push_back(start.material);
-    bodies.motion.push_back(start.motion);
-    bodies.position.push_back(start.pose.position);
-    bodies.orientation.push_back(orientation);
-    bodies.velocity.push_back(start.velocity);
-    bodies.angular_momentum.push_back(inertia.cwiseProduct(orientation.conjugate() * start.angular_velocity));
-    bodies.force.push_back(Vec3::Zero());
-    bodies.torque.push_back(Vec3::Zero());
-    bodies.mass.push_back(mass);
-    bodies.inertia.push_back(inertia);
-  }
+  for (const BodyStart& start : world.setup.bodies)
+    append_body(world, start, "body " + std::to_string(bodies.size()), bodies);
   return bodies;
 }
 

@@ -2,6 +2,7 @@
 // What of a setup does not change during a run, in the form in which the loop wants it.
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include "osculate/dynamics/body_shape.hpp"
@@ -24,6 +25,18 @@ struct World {
 
 /// Throws InputError as `validate` does.
 World make_world(const Setup& setup);
+
+/// Bodies of a kind have the same impacts.
+struct BodyKind {
+  std::int32_t shape, material;
+  bool is_free;
+  friend auto operator<=>(const BodyKind&, const BodyKind&) = default;
+};
+/// Of the bodies that are there and of those that will be poured.
+std::set<BodyKind> body_kinds(const Setup& setup);
+
+/// Another body. Throws InputError if a free one has no mass; `where` names it.
+void append_body(const World& world, const BodyStart& start, const std::string& where, Bodies& bodies);
 
 /// The bodies at time 0. Throws InputError as `validate` does.
 Bodies make_bodies(const World& world);

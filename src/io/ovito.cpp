@@ -42,7 +42,7 @@ std::string dump_block(const ParticleFrame& frame, const ResultsHead& head) {
   for (const ResultsShape& shape : head.shapes) shapes.push_back(ovito_shape(shape.shape));
   std::string text = fmt::format("ITEM: TIME\n{:.17g}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS",
                                  frame.time, frame.step, frame.size());
-  const Box extent = extent_of(frame, head);
+  const Box extent = frame.size() > 0 ? extent_of(frame, head) : Box{Vec3::Zero(), Vec3::Zero()};
   const auto repeats = [&](int axis) { return std::isfinite(head.box.length[axis]); };
   for (int axis = 0; axis < 3; ++axis) text += repeats(axis) ? " pp" : " ff";
   text += '\n';

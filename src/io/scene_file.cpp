@@ -88,6 +88,12 @@ double expected_speed(const Setup& setup) {
       lowest = std::max(lowest, curved ? depth + reach : depth);
     }
   }
+  constexpr double deviations = 3.0;
+  for (const Pour& pour : setup.pours) {
+    own = std::max(own, pour.velocity.norm() + deviations * pour.fluctuation);
+    const BoxRegion region = bounds(pour.region);
+    highest = std::min(highest, down.cwiseMin(0.0).dot(region.upper) + down.cwiseMax(0.0).dot(region.lower));
+  }
   return own + driven + std::sqrt(2.0 * g * std::max(lowest - highest, 0.0));
 }
 
@@ -146,7 +152,8 @@ std::string text_of(const std::filesystem::path& path) {
 
 void require_particles(const TomlTable& file, const Scene& scene) {
   const auto& bodies = scene.setup.bodies;
-  if (std::none_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion == Bodies::free; }))
+  if (scene.setup.pours.empty() &&
+      std::none_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion == Bodies::free; }))
     throw InputError(file.where(), "found a scene without particles", "an [[insert]] that brings some in");
 }
 
@@ -158,6 +165,10 @@ void add_warnings(const TomlTable& file, Scene& scene) {
   if (!scene.setup.gravity.isZero(0.0) && !any_driven)
     scene.warnings.push_back(
         fmt::format("{}: gravity, and neither walls nor obstacles: everything falls for ever", file.where("gravity")));
+  for (const Pour& pour : scene.setup.pours)
+    if (pour.begin >= scene.duration)
+      scene.warnings.push_back(fmt::format("{}: a pour begins at {:.4g} s, when the run of {:.4g} s is over",
+                                           scene.file.string(), pour.begin, scene.duration));
   if (scene.output.interval > scene.duration)
     scene.warnings.push_back(
         fmt::format("{}: an interval of {:.4g} s is longer than the run: frames of the start and the end only",

@@ -6,7 +6,7 @@
 
 namespace osculate {
 
-/// How particles are connected.
+/// How particles are connected; averages are 0 where there are none.
 struct Connectivity {
   std::uint64_t particles;       ///< free bodies
   std::uint64_t contacts;        ///< between any two bodies

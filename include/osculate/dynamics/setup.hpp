@@ -8,6 +8,7 @@
 #include "osculate/dynamics/bodies.hpp"
 #include "osculate/dynamics/motion.hpp"
 #include "osculate/dynamics/periodic_box.hpp"
+#include "osculate/dynamics/pour.hpp"
 #include "osculate/geometry/curvature_models.hpp"
 #include "osculate/mechanics/contact_law.hpp"
 #include "osculate/mechanics/material.hpp"
@@ -44,6 +45,7 @@ struct Setup {
   std::vector<Interaction> interactions;  ///< one for every two materials whose bodies may meet
   std::vector<Motion> motions;
   std::vector<BodyStart> bodies;
+  std::vector<Pour> pours;
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   PeriodicBox box;
   double time_step = 0.0;          ///< > 0 [s], see time_step.hpp

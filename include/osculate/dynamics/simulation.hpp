@@ -44,11 +44,12 @@ struct EnergyLedger {
   double curvature_gain;  ///< of normal springs whose stiffness changed because the bodies touched where they are
                           ///< curved otherwise: no force takes this energy from the motion. Small; 0 for spheres
   double driven_work;     ///< that driven bodies did on the others
+  double poured;          ///< kinetic and of gravity, brought by particles that came in during the run
 
   double mechanical() const { return kinetic + rotational + gravity + stored_normal + stored_tangential; }
   double lost() const { return viscous_loss + friction_loss + hysteresis_loss; }
   /// What is constant when all is accounted for.
-  double balance() const { return mechanical() + lost() - driven_work - curvature_gain; }
+  double balance() const { return mechanical() + lost() - driven_work - poured - curvature_gain; }
 };
 
 /// What the last step was like.
@@ -82,7 +83,8 @@ class Simulation {
   double time() const;  ///< [s]
   std::uint64_t steps() const;
   const Setup& setup() const;
-  const Bodies& bodies() const;
+  const Bodies& bodies() const;               ///< those of the setup, then those poured in the order in which they came
+  std::span<const Poured> poured() const;     ///< what came in of each of the setup's pours
   std::span<const BodyShape> shapes() const;  ///< one for each of the setup's
   std::vector<Contact> contacts() const;      ///< in a fixed order
   EnergyLedger energy() const;
