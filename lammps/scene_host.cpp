@@ -110,6 +110,9 @@ void run_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene, const SceneOrders
   if (!setup.pours.empty())
     throw InputError(scene.file.string(), "found a pour",
                      "a scene without one: on LAMMPS all particles are there from the start");
+  if (setup.box.shear)
+    throw InputError(scene.file.string(), "found a sheared box",
+                     "periodic axes without shear: LAMMPS has its own commands for it");
   const std::vector<AtomKind> kinds = kinds_of(scene);
   make_box(lmp, make_world(setup), kinds.size());
   make_atoms(lmp, setup, kinds);

@@ -84,8 +84,7 @@ class ChunkStep {
   PairRecords records(const std::vector<LocalPair>& pairs) const {
     return {pairs, chunk_.bodies.data(), kinematics_.records.data()};
   }
-  /// The multiples of the periods that bring bodies 2 next to bodies 1; no rows where nothing is repeated in space.
-  void find_shifts(const std::vector<LocalPair>& pairs, Columns<3>& shift) const;
+  void find_images(const std::vector<LocalPair>& pairs, ImageShifts& images) const;
 
   void find_awake();
   void sort_out(Index row);
@@ -116,25 +115,27 @@ void ChunkStep::find_awake() {
   }
 }
 
-void ChunkStep::find_shifts(const std::vector<LocalPair>& pairs, Columns<3>& shift) const {
-  const PeriodicBox& box = world_.setup.box;
+void ChunkStep::find_images(const std::vector<LocalPair>& pairs, ImageShifts& images) const {
+  const PeriodicBox& box = world_.box;
   if (!box.repeats()) return;
-  shift.resize(pairs.size());
+  images.shift.resize(pairs.size());
+  if (box.shear) images.flow = ImageFlow{box.shear->flow, box.shear->gradient, box.shear->rate};
   for (Index row = 0; row < pairs.size(); ++row) {
     const Vec3 apart = record(pairs[row].second).position() - record(pairs[row].first).position();
     const Vec3 nearer = nearest_image_shift(box, apart);
-    for (Index k = 0; k < 3; ++k) shift[k][row] = nearer[static_cast<Eigen::Index>(k)];
+    for (Index k = 0; k < 3; ++k) images.shift[k][row] = nearer[static_cast<Eigen::Index>(k)];
   }
 }
 
 void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap,
                       ChunkScratch::Solved& solved) {
-  find_shifts(pairs, solved.shift);
+  find_images(pairs, solved.images);
+  const Columns<3>& shift = solved.images.shift;
   if (chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
     fill_pairs(records(pairs), solved.superquadrics);
     for (Index k = 0; k < 3; ++k) {
       double* x = solved.superquadrics.columns[SuperquadricPairs::per_body + 5 + k];
-      for (Index row = 0; row < solved.shift.size(); ++row) x[row] += solved.shift[k][row];
+      for (Index row = 0; row < shift.size(); ++row) x[row] += shift[k][row];
     }
     common_normals(solved.superquadrics, caches, solved.geometry, gap);
     return;
@@ -144,8 +145,7 @@ void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches
     const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
     const BodyShape &shape_1 = shape(pairs[row].first), &shape_2 = shape(pairs[row].second);
     Pose second = two.pose();
-    if (solved.shift.size() > 0)
-      second.position += Vec3(solved.shift[0][row], solved.shift[1][row], solved.shift[2][row]);
+    if (shift.size() > 0) second.position += Vec3(shift[0][row], shift[1][row], shift[2][row]);
     solved.shapes.set(row, shape_1.shape, shape_pose(shape_1, one.pose()), shape_2.shape, shape_pose(shape_2, second));
   }
   common_normals(solved.shapes, caches, solved.geometry, gap);
@@ -269,6 +269,7 @@ void ChunkStep::report_extremes(const LawSums& sums) {
 
 void ChunkStep::add_forces() {
   Contacts& contacts = chunk_.contacts;
+  const ImageShifts& images = scratch_.contacts.images;
   const auto vector_at = [](const auto& columns, Index first, Index i) {
     return Vec3(columns[first][i], columns[first + 1][i], columns[first + 2][i]);
   };
@@ -277,6 +278,7 @@ void ChunkStep::add_forces() {
     const Vec3 force = vector_at(scratch_.answer, of_answer::force, i);
     contacts.force[i] = force;
     Wrench &on_1 = chunk_.wrenches[pair.first], &on_2 = chunk_.wrenches[pair.second];
+    if (images.flow) chunk_.image_power += force.dot(images.velocity(i));
     on_1.force += force;
     on_2.force -= force;
     on_1.torque += vector_at(scratch_.torques, of_torques::on_1, i);
@@ -301,11 +303,11 @@ void ChunkStep::open_contacts() {
 }
 
 void ChunkStep::apply_law() {
-  chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = 0.0;
+  chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = chunk_.image_power = 0.0;
   std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench{Vec3::Zero(), Vec3::Zero()});
   Contacts& contacts = chunk_.contacts;
   if (contacts.size() == 0) return;
-  describe_motion(records(contacts.bodies), scratch_.contacts.shift, contacts.radius_cap, law_.needs(),
+  describe_motion(records(contacts.bodies), scratch_.contacts.images, contacts.radius_cap, law_.needs(),
                   scratch_.contacts.geometry, scratch_.arms, scratch_.motion);
   call_law();
   check_contacts();

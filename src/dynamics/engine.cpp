@@ -53,6 +53,7 @@ Simulation::Engine::Engine(const Setup& setup)
   }
   rebuild();
   evaluate_pairs();
+  image_power_ = image_power();
   gather(0.0);
   kinematics_.time_step = setup.time_step;
 }
@@ -112,11 +113,23 @@ void Simulation::Engine::step() {
   for (const Driven& driven : driven_)
     driven_work_ -= 0.5 * ((driven.force + bodies_.force[driven.body]).dot(driven.displacement) +
                            (driven.torque + bodies_.torque[driven.body]).dot(driven.turn));
+  if (!world_.box.shear) return;
+  const double power = image_power();
+  driven_work_ += 0.5 * world_.setup.time_step * (image_power_ + power);
+  image_power_ = power;
+}
+
+/// What the images of a sheared box do: moving, they push as driven bodies do.
+double Simulation::Engine::image_power() const {
+  double power = 0.0;
+  for (const PairChunk& chunk : pairs_.chunks) power += chunk.image_power;
+  return power;
 }
 
 /// Spheres around bodies were listed with a skin between them. What turns in its sphere does not matter.
 bool Simulation::Engine::list_is_stale() const {
-  const double most = 0.5 * world_.skin;
+  const double most = 0.5 * (world_.skin - image_travel_);
+  if (!(most > 0.0)) return true;
   double furthest = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (bodies_.is_free(i)) furthest = std::max(furthest, (bodies_.position[i] - listed_at_[i]).squaredNorm());
@@ -132,9 +145,15 @@ void Simulation::Engine::move() {
     move_bodies(step, begin, end, bodies_, kinematics_, radius_, step_travel_);
   });
   for (Driven& driven : driven_) move_driven(driven);
+  double image_way = 0.0;
+  if (const auto& shear = world_.box.shear) {
+    world_.box = at_time(world_.setup.box, static_cast<double>(steps_ + 1) * step.time_step);
+    image_way = std::fabs(shear->rate) * world_.box.length[shear->gradient] * step.time_step;
+    image_travel_ += image_way;
+  }
   const double most = 0.5 * world_.least_half_width;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const double way = step_travel_[i];
+    const double way = step_travel_[i] + 0.5 * image_way;  // two bodies share what an image moves
     kinematics_.travel[i] += way;
     if (way <= most) continue;  // false for NaN too
     ++steps_;
@@ -169,18 +188,29 @@ void Simulation::Engine::move_driven(Driven& driven) {
                                   {driven.displacement, driven.turn}, {centre_, extent_});
 }
 
+/// The body's image inside the box takes its place.
+void Simulation::Engine::wrap(std::size_t body) {
+  const Vec3 shift = shift_inside(world_.box, bodies_.position[body]);
+  if (shift.isZero(0.0)) return;
+  const Vec3 inside = wrapped(world_.box, bodies_.position[body]);
+  const double mass = bodies_.mass[body];
+  gravity_wrapped_ += mass * world_.setup.gravity.dot(inside - bodies_.position[body]);
+  bodies_.position[body] = inside;
+  BodyRecord& record = kinematics_.records[body];
+  record.place(inside, bodies_.orientation[body]);
+  const Vec3 change = image_velocity(world_.box, shift);
+  driven_work_ += mass * change.dot(bodies_.velocity[body] + 0.5 * change);
+  bodies_.velocity[body] += change;
+  record.velocity += change;
+  record.last_velocity += change;
+}
+
 void Simulation::Engine::rebuild() {
   ++rebuilds_;
-  const PeriodicBox& box = world_.setup.box;
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_.is_free(i)) continue;
-    if (box.repeats()) {
-      const Vec3 inside = wrapped(box, bodies_.position[i]);
-      gravity_wrapped_ += bodies_.mass[i] * world_.setup.gravity.dot(inside - bodies_.position[i]);
-      bodies_.position[i] = inside;
-      kinematics_.records[i].place(inside, bodies_.orientation[i]);
-    }
+    if (world_.box.repeats()) wrap(i);
     lower = lower.cwiseMin(bodies_.position[i]);
     upper = upper.cwiseMax(bodies_.position[i]);
   }
@@ -193,6 +223,7 @@ void Simulation::Engine::rebuild() {
   pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
+  image_travel_ = 0.0;
 }
 
 void Simulation::Engine::evaluate_pairs() {
@@ -293,7 +324,7 @@ std::vector<Contact> Simulation::Engine::contacts() const {
       const ContactGeometry found = geometry.get(i);
       const Vec3 difference =
           bodies_.position[static_cast<std::size_t>(two)] - bodies_.position[static_cast<std::size_t>(one)];
-      const PeriodicBox& box = world_.setup.box;
+      const PeriodicBox& box = world_.box;
       const Vec3 shift = box.repeats() ? nearest_image_shift(box, difference) : Vec3::Zero();
       contacts.push_back({.body_1 = one,
                           .body_2 = two,

@@ -21,6 +21,7 @@ class Simulation::Engine {
   std::span<const Poured> poured() const { return poured_; }
   const World& world() const { return world_; }
   const Bodies& bodies() const { return bodies_; }
+  const PeriodicBox& box() const { return world_.box; }
   std::vector<Contact> contacts() const;
   EnergyLedger energy() const;
   StepCounts counts() const;
@@ -42,7 +43,9 @@ class Simulation::Engine {
   void move();
   void move_driven(Driven& driven);
   void rebuild();
+  void wrap(std::size_t body);
   void evaluate_pairs();
+  double image_power() const;
   void gather(double kick_time);
   void gather_body(std::size_t i, double kick_time);
   bool list_is_stale() const;
@@ -64,6 +67,8 @@ class Simulation::Engine {
   double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]
   Vec3 centre_ = Vec3::Zero();
   double driven_work_ = 0.0;      ///< [J]
+  double image_power_ = 0.0;      ///< of forces through the faces of a sheared box [W]
+  double image_travel_ = 0.0;     ///< of its images since the pairs were listed [m]
   double poured_energy_ = 0.0;    ///< [J]
   double gravity_wrapped_ = 0.0;  ///< gravity's energy that wrapping positions took away [J]
   std::uint64_t steps_ = 0, rebuilds_ = 0;

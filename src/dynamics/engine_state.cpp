@@ -256,6 +256,8 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.value("driven_work", self.driven_work_);
   visitor.value("poured_energy", self.poured_energy_);
   visitor.value("gravity_wrapped", self.gravity_wrapped_);
+  visitor.value("image_power", self.image_power_);
+  visitor.value("image_travel", self.image_travel_);
   visitor.value("steps", self.steps_);
   visitor.value("rebuilds", self.rebuilds_);
   visitor.value("losses.viscous", self.pairs_.viscous_loss);
@@ -307,6 +309,7 @@ Simulation::Engine::Engine(const Setup& setup, const State& state)
   kinematics_.time_step = setup.time_step;
   const std::size_t count = bodies_.size();
   visit_state(*this, reader);
+  world_.box = at_time(setup.box, time());
   for (const std::size_t size :
        {bodies_.position.size(), bodies_.orientation.size(), bodies_.velocity.size(), bodies_.angular_momentum.size(),
         bodies_.force.size(), bodies_.torque.size(), kinematics_.travel.size(), listed_at_.size()})

@@ -113,6 +113,7 @@ struct PairChunk {
   // At the last step.
   double stored_normal = 0.0, stored_tangential = 0.0;  ///< [J]
   double stiffest = 0.0;                                ///< largest dF/dδ over reduced mass [1/s²]
+  double image_power = 0.0;                             ///< of forces through the faces of a sheared box [W]
   std::int32_t checked = 0;                             ///< pairs given to the narrow phase
   Fault fault = Fault::none;
   BodyPair fault_pair{};

@@ -50,7 +50,7 @@ double sphere_gap(const World& world, const Bodies& bodies, Index one, Index two
   if (!is_particle(shape_2.shape))
     return gap_to_wall(shape_2.shape, bodies.pose(two), bodies.position[one]) - shape_1.bounding_radius;
   Vec3 apart = bodies.position[two] - bodies.position[one];
-  if (world.setup.box.repeats()) apart += nearest_image_shift(world.setup.box, apart);
+  if (world.box.repeats()) apart += nearest_image_shift(world.box, apart);
   return apart.norm() - shape_1.bounding_radius - shape_2.bounding_radius;
 }
 
@@ -112,7 +112,7 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
       walls.push_back(static_cast<std::int32_t>(i));
     }
   }
-  std::vector<BodyPair> pairs = touching_balls(balls, world.setup.box);
+  std::vector<BodyPair> pairs = touching_balls(balls, world.box);
   for (BodyPair& pair : pairs) pair = {ball_of[index_of(pair.first)], ball_of[index_of(pair.second)]};
   for (const std::int32_t wall : walls)
     for (const std::int32_t body : ball_of)

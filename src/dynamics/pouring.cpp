@@ -40,7 +40,7 @@ bool is_due(const Pour& pour, const Poured& poured, double mass, double amount) 
 
 /// The bodies that reach into the region, and all walls.
 Crowd crowd_around(const World& world, const Bodies& bodies, const Pour& pour) {
-  const PeriodicBox& box = world.setup.box;
+  const PeriodicBox& box = world.box;
   double gap = pour.gap, largest = 0.0;
   for (const double reach : world.reach) gap = std::max(gap, pour.gap + reach);
   for (const Kind& kind : pour.kinds)

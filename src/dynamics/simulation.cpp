@@ -23,6 +23,9 @@ std::uint64_t Simulation::steps() const {
 const Setup& Simulation::setup() const {
   return engine_->world().setup;
 }
+const PeriodicBox& Simulation::box() const {
+  return engine_->box();
+}
 const Bodies& Simulation::bodies() const {
   return engine_->bodies();
 }

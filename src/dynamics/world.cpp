@@ -132,6 +132,7 @@ World make_world(const Setup& setup) {
   check_materials(setup);
   World world;
   world.setup = setup;
+  world.box = setup.box;
   world.law_of = laws_of(setup);
   for (std::size_t i = 0; i < setup.shapes.size(); ++i)
     at_place("shape " + std::to_string(i), [&] { world.shapes.push_back(body_shape(setup.shapes[i])); });
@@ -154,6 +155,13 @@ World make_world(const Setup& setup) {
   }
   require(any_free, "bodies", std::to_string(setup.bodies.size()) + " bodies, none of them free", "a free body");
   require_laws(world);
+  if (setup.box.shear) {
+    const bool any_driven = std::any_of(setup.bodies.begin(), setup.bodies.end(),
+                                        [](const BodyStart& body) { return body.motion != Bodies::free; });
+    require(!any_driven, "sheared box", "a wall or another driven body",
+            "free bodies only: images of others would move");
+    require(setup.pours.empty(), "sheared box", "a pour", "particles that are there from the start");
+  }
   world.skin = setup.skin * least_radius;
   const double flattest = setup.radius_cap * most_volume_radius;
   double reach = 0.0;

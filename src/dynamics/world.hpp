@@ -1,5 +1,6 @@
 #pragma once
-// What of a setup does not change during a run, in the form in which the loop wants it.
+// What of a setup does not change during a run but for the images of a sheared box, in the form in which the loop wants
+// it.
 
 #include <array>
 #include <set>
@@ -17,6 +18,7 @@ struct World {
   std::vector<double> reach;         ///< of each interaction: the largest gap at which it acts [m]
   double least_half_width = 0.0;     ///< of all particles [m]
   double skin = 0.0;                 ///< [m]
+  PeriodicBox box;                   ///< as it is now: a shear moves its images
 
   std::int32_t law_between(std::int32_t material_1, std::int32_t material_2) const {
     return law_of[static_cast<std::size_t>(material_1) * setup.materials.size() + static_cast<std::size_t>(material_2)];

@@ -93,6 +93,9 @@ void write_head(hid_t file, const ResultsHead& head) {
   write_text(file, "scene", head.scene);
   write_vectors(file, "gravity", {head.gravity});
   if (head.box.repeats()) write_vectors(file, "periodic_box", {head.box.origin, head.box.length});
+  if (const auto& shear = head.box.shear)
+    write_rows(file, "box_shear",
+               Rows<double>{3, {static_cast<double>(shear->flow), static_cast<double>(shear->gradient), shear->rate}});
   make_group(file, "shapes");
   for (std::size_t i = 0; i < head.shapes.size(); ++i) {
     const ResultsShape& shape = head.shapes[i];
@@ -150,6 +153,13 @@ ResultsHead read_head(hid_t file) {
     const std::vector<Vec3> box = read_vectors(file, "periodic_box");
     if (box.size() != 2) throw std::runtime_error("a periodic box of another form than origin and length");
     head.box = {.origin = box[0], .length = box[1]};
+    if (has_path(file, "box_shear")) {
+      const std::vector<double> shear = read_rows(file, "box_shear", 3).values;
+      if (shear.size() != 3) throw std::runtime_error("a shear of another form than flow, gradient and rate");
+      head.box.shear = BoxShear{.flow = static_cast<Eigen::Index>(shear[0]),
+                                .gradient = static_cast<Eigen::Index>(shear[1]),
+                                .rate = shear[2]};
+    }
   }
   for (const std::string& name : members(file, "shapes")) {
     const std::string path = "shapes/" + name;

@@ -21,6 +21,17 @@ std::string length_unit(const TomlTable& file) {
   return unit;
 }
 
+BoxShear read_shear(const TomlTable& table) {
+  const std::vector<std::string> axes{"x", "y", "z"};
+  const auto axis = [&](const char* key) {
+    return std::find(axes.begin(), axes.end(), table.choice(key, axes)) - axes.begin();
+  };
+  const BoxShear shear{
+      .flow = axis("flow"), .gradient = axis("gradient"), .rate = table.quantity("rate", shear_rate(), Range::any())};
+  table.reject_unknown_keys();
+  return shear;
+}
+
 /// `x = [lower, upper]` and so on under [periodic].
 PeriodicBox read_periodic(const TomlTable& file, const std::string& unit) {
   PeriodicBox box;
@@ -35,8 +46,21 @@ PeriodicBox read_periodic(const TomlTable& file, const std::string& unit) {
     box.origin[k] = metre * ends[0];
     box.length[k] = metre * (ends[1] - ends[0]);
   }
+  if (table.has("shear")) box.shear = read_shear(table.table("shear"));
   table.reject_unknown_keys();
+  try {
+    validate(box);
+  } catch (const InputError& error) {
+    throw InputError(table.where(), error);
+  }
   return box;
+}
+
+/// Particles start with the flow of a sheared box, on top of their own velocities.
+void add_flow(Setup& setup) {
+  const Vec3 middle = setup.box.origin + 0.5 * setup.box.length;
+  for (BodyStart& body : setup.bodies)
+    if (body.motion == Bodies::free) body.velocity += image_velocity(setup.box, body.pose.position - middle);
 }
 
 double speed_of(const Motion& motion, const Vec3& from, double reach) {
@@ -94,6 +118,7 @@ double expected_speed(const Setup& setup) {
     const BoxRegion region = bounds(pour.region);
     highest = std::min(highest, down.cwiseMin(0.0).dot(region.upper) + down.cwiseMax(0.0).dot(region.lower));
   }
+  if (setup.box.shear) driven += std::fabs(setup.box.shear->rate) * setup.box.length[setup.box.shear->gradient];
   return own + driven + std::sqrt(2.0 * g * std::max(lowest - highest, 0.0));
 }
 
@@ -205,6 +230,7 @@ Scene read_scene(const std::filesystem::path& path) {
   read_boundaries(file, unit, scene);
   read_insertions(file, unit, kinds, scene);
   require_particles(file, scene);
+  if (setup.box.shear) add_flow(setup);
   read_time(file, scene);
   read_output(file, unit, scene);
   file.reject_unknown_keys();

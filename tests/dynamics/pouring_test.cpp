@@ -138,9 +138,9 @@ TEST_CASE("A particle that finds no place waits for it, and comes in when there 
 }
 
 TEST_CASE("What particles bring with them is in the ledger") {
-  Simulation simulation(filling(damped_frictional_law(), 5e-6));
+  Simulation simulation(filling(damped_frictional_law(), 2.5e-6));
   const double before = simulation.energy().balance();
-  simulation.advance(12000);
+  simulation.advance(24000);
   const EnergyLedger energy = simulation.energy();
   CHECK(poured_bodies(simulation) > 80);
   CHECK(energy.poured > 0.0);
@@ -150,19 +150,20 @@ TEST_CASE("What particles bring with them is in the ledger") {
 
 TEST_CASE("Pouring gives the same bits with any number of threads and after a restart") {
   Setup setup = filling(damped_frictional_law());
+  setup.pours[0].rate = 4000.0;
   Simulation whole(setup);
   whole.advance(1234);
   const State state = whole.state();
   REQUIRE(poured_bodies(whole) > 20);
-  whole.advance(1500);
+  whole.advance(2500);
   REQUIRE(whole.counts().contacts > 15);
   setup.threads = 3;
   Simulation again(setup, state);
   CHECK(same(again.state(), state));
-  again.advance(1500);
+  again.advance(2500);
   CHECK(same(again.state(), whole.state()));
   Simulation threaded(setup);
-  threaded.advance(2734);
+  threaded.advance(3734);
   CHECK(same(threaded.state(), whole.state()));
   setup.pours[0].seed = 4;
   Simulation other(setup);

@@ -43,7 +43,7 @@ struct EnergyLedger {
   double hysteresis_loss;
   double curvature_gain;  ///< of normal springs whose stiffness changed because the bodies touched where they are
                           ///< curved otherwise: no force takes this energy from the motion. Small; 0 for spheres
-  double driven_work;     ///< that driven bodies did on the others
+  double driven_work;     ///< that driven bodies, or the images of a sheared box, did on the others
   double poured;          ///< kinetic and of gravity, brought by particles that came in during the run
 
   double mechanical() const { return kinetic + rotational + gravity + stored_normal + stored_tangential; }
@@ -83,6 +83,7 @@ class Simulation {
   double time() const;  ///< [s]
   std::uint64_t steps() const;
   const Setup& setup() const;
+  const PeriodicBox& box() const;             ///< as it is now: the images of a sheared one move
   const Bodies& bodies() const;               ///< those of the setup, then those poured in the order in which they came
   std::span<const Poured> poured() const;     ///< what came in of each of the setup's pours
   std::span<const BodyShape> shapes() const;  ///< one for each of the setup's
