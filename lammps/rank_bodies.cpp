@@ -12,6 +12,15 @@
 
 namespace osculate::lammps {
 
+void require_supported(const io::Scene& scene) {
+  const auto refuse = [&](bool has, const std::string& found, const std::string& expected) {
+    if (has) throw InputError(scene.file.string(), "found " + found, expected + ", or `osculate run`");
+  };
+  refuse(!scene.setup.pours.empty(), "a pour", "particles that are there from the start, as LAMMPS has them");
+  refuse(!scene.setup.meshes.empty(), "a mesh", "walls of other kinds, which LAMMPS knows");
+  refuse(scene.setup.box.shear.has_value(), "a sheared box", "a periodic box without shear, which LAMMPS moves itself");
+}
+
 std::vector<AtomKind> kinds_of(const io::Scene& scene) {
   std::set<std::pair<std::int32_t, std::int32_t>> found;
   for (const BodyStart& body : scene.setup.bodies)
@@ -35,6 +44,7 @@ std::vector<AtomKind> kinds_by_name(const io::Scene& scene, const std::vector<st
 }
 
 RankBodies make_rank_bodies(const io::Scene& scene, const std::vector<AtomKind>& kinds) {
+  require_supported(scene);
   Setup setup = scene.setup;
   setup.box = {};  // images are LAMMPS's ghosts
   std::erase_if(setup.bodies, [](const BodyStart& body) { return body.motion == Bodies::free; });

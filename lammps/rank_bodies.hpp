@@ -18,6 +18,9 @@ struct AtomKind {
   std::int32_t material;  ///< index into Setup::materials
 };
 
+/// Throws InputError for a scene that asks for what only the embedded engine does: pours, meshes, sheared boxes.
+void require_supported(const io::Scene& scene);
+
 /// The kinds that a scene's free bodies are of, in the order of their shapes.
 std::vector<AtomKind> kinds_of(const io::Scene& scene);
 

@@ -107,12 +107,7 @@ SceneOrders orders_of(const io::Scene& scene) {
 
 void run_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene, const SceneOrders& orders) {
   const Setup& setup = scene.setup;
-  if (!setup.pours.empty())
-    throw InputError(scene.file.string(), "found a pour",
-                     "a scene without one: on LAMMPS all particles are there from the start");
-  if (setup.box.shear)
-    throw InputError(scene.file.string(), "found a sheared box",
-                     "periodic axes without shear: LAMMPS has its own commands for it");
+  require_supported(scene);
   const std::vector<AtomKind> kinds = kinds_of(scene);
   make_box(lmp, make_world(setup), kinds.size());
   make_atoms(lmp, setup, kinds);

@@ -46,6 +46,9 @@ io::ResultsHead head_of(const io::Scene& scene, const Simulation& simulation) {
     const auto shape = static_cast<std::size_t>(setup.bodies[static_cast<std::size_t>(wall.body)].shape);
     head.walls.push_back({wall.name, static_cast<std::uint32_t>(wall.body), setup.shapes[shape]});
   }
+  for (std::size_t m = 0; m < setup.meshes.size(); ++m)
+    head.meshes.push_back(
+        {scene.mesh_names[m], static_cast<std::uint32_t>(simulation.first_face(m)), setup.meshes[m].triangles});
   return head;
 }
 
@@ -71,6 +74,8 @@ io::ParticleFrame frame_of(const io::Scene& scene, const Simulation& simulation)
     frame.angular_velocity.push_back(angular_velocity_of(simulation, i));
   }
   for (const io::SceneWall& wall : scene.walls) frame.walls.push_back(bodies.pose(static_cast<std::size_t>(wall.body)));
+  for (std::size_t m = 0; m < scene.setup.meshes.size(); ++m)
+    frame.meshes.push_back(bodies.pose(static_cast<std::size_t>(simulation.first_face(m))));
   return frame;
 }
 

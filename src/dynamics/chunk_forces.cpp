@@ -4,6 +4,9 @@
 #include <chrono>
 #include <limits>
 
+#include "geometry/contact_rows.hpp"
+#include "geometry/pair_order.hpp"
+
 namespace osculate {
 namespace {
 
@@ -46,6 +49,7 @@ class ChunkStep {
   /// Those of the far pairs that touch become contacts; the others sleep until they could.
   void watch_far() {
     find_awake();
+    first_new_ = chunk_.contacts.size();
     chunk_.checked = static_cast<std::int32_t>(scratch_.awake.size() + chunk_.contacts.size());
     if (scratch_.awake.empty()) return;
     scratch_.pairs.clear();
@@ -64,7 +68,9 @@ class ChunkStep {
   }
 
   void solve_contacts() {
-    if (chunk_.contacts.size() > 0) solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip, scratch_.contacts);
+    if (chunk_.contacts.size() == 0) return;
+    solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip, scratch_.contacts);
+    if (chunk_.group.narrow_phase == NarrowPhase::faces) hand_over();
   }
 
   void apply_law();
@@ -86,6 +92,8 @@ class ChunkStep {
   }
   void find_images(const std::vector<LocalPair>& pairs, ImageShifts& images) const;
 
+  void solve_faces(const std::vector<LocalPair>& pairs, ContactColumns& geometry) const;
+  void hand_over();
   void find_awake();
   void sort_out(Index row);
   PairConstants constants_of(const LocalPair& pair) const;
@@ -102,7 +110,52 @@ class ChunkStep {
   ChunkScratch& scratch_;
   const ContactLaw& law_;
   double reach_;
+  Index first_new_ = 0;  ///< of the contacts: those from here on were far pairs before this step
 };
+
+void ChunkStep::solve_faces(const std::vector<LocalPair>& pairs, ContactColumns& geometry) const {
+  constexpr double beyond = 1e-9;
+  geometry.resize(pairs.size());
+  for (Index row = 0; row < pairs.size(); ++row) {
+    const bool face_first = shape(pairs[row].first).is_face();
+    const Index of_particle = face_first ? pairs[row].second : pairs[row].first;
+    const BodyShape &particle = shape(of_particle), &face = shape(face_first ? pairs[row].first : pairs[row].second);
+    FaceContact found =
+        face_contact(particle.shape, shape_pose(particle, record(of_particle).pose()), *face.surface,
+                     record(face_first ? pairs[row].first : pairs[row].second).pose(), face.face, reach_);
+    // What is not the face's to make is out of the law's reach.
+    if (!found.is_active)
+      found.contact.overlap =
+          std::min(found.contact.overlap, -reach_ * (1.0 + beyond) - std::numeric_limits<double>::min());
+    if (face_first) swap_bodies(found.contact);
+    set_row(geometry, row, found.contact);
+  }
+}
+
+/// Where a particle leaves a face and has come onto the next one, the new contact goes on with what the old one knew.
+void ChunkStep::hand_over() {
+  const Contacts& contacts = chunk_.contacts;
+  const auto face_of = [&](const LocalPair& pair) -> const BodyShape& {
+    return shape(pair.first).is_face() ? shape(pair.first) : shape(pair.second);
+  };
+  const auto particle_of = [&](const LocalPair& pair) {
+    return shape(pair.first).is_face() ? pair.second : pair.first;
+  };
+  const double* overlaps = scratch_.contacts.geometry.columns[of_geometry::overlap];
+  for (Index to = first_new_; to < contacts.size(); ++to) {
+    const BodyShape& face = face_of(contacts.bodies[to]);
+    const auto& neighbours = face.surface->faces[static_cast<Index>(face.face)].neighbours;
+    for (Index from = 0; from < first_new_; ++from) {
+      const BodyShape& old = face_of(contacts.bodies[from]);
+      if (overlaps[from] > -reach_ || old.surface != face.surface ||
+          particle_of(contacts.bodies[from]) != particle_of(contacts.bodies[to]) ||
+          !std::binary_search(neighbours.begin(), neighbours.end(), old.face))
+        continue;
+      move_memory(chunk_.contacts, from, to, law_);
+      break;
+    }
+  }
+}
 
 void ChunkStep::find_awake() {
   scratch_.awake.clear();
@@ -129,6 +182,7 @@ void ChunkStep::find_images(const std::vector<LocalPair>& pairs, ImageShifts& im
 
 void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap,
                       ChunkScratch::Solved& solved) {
+  if (chunk_.group.narrow_phase == NarrowPhase::faces) return solve_faces(pairs, solved.geometry);
   find_images(pairs, solved.images);
   const Columns<3>& shift = solved.images.shift;
   if (chunk_.group.narrow_phase == NarrowPhase::superquadrics) {

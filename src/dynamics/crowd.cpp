@@ -72,6 +72,16 @@ std::vector<Vec3> Crowd::nearby_images(const Vec3& position) const {
 
 bool Crowd::touches(const Member& one, const Member& other) const {
   const BodyShape &shape_1 = shape_of(one), &shape_2 = shape_of(other);
+  if (shape_2.is_face()) {
+    const SurfaceFace& face = shape_2.surface->faces[static_cast<std::size_t>(shape_2.face)];
+    if (distance_to(face, other.pose.to_body(one.pose.position)) > shape_1.bounding_radius + gap_) return false;
+    const Vec3 from_face = one.pose.position - other.pose.to_world(face.corners[0]);
+    const Vec3 normal = other.pose.rotate_to_world(face.normal);
+    const Pose particle = shape_pose(shape_1, one.pose);
+    const Vec3 towards = normal.dot(from_face) > 0.0 ? Vec3(-normal) : normal;
+    const Vec3 nearest = particle.to_world(support_point(shape_1.shape, particle.rotate_to_body(towards)));
+    return towards.dot(nearest - other.pose.to_world(face.corners[0])) >= -gap_;
+  }
   Pose near = other.pose;
   if (is_particle(shape_2.shape)) {
     near.position = wrapped(box_, near.position);

@@ -45,7 +45,7 @@ Simulation::Engine::Engine(const Setup& setup)
     record.mean_angular_velocity = record.last_angular_velocity = bodies_.angular_velocity(i);
   }
   for (const Driven& driven : driven_) {
-    const BodyStart& start = world_.setup.bodies[driven.body];
+    const BodyStart& start = world_.starts[driven.body];
     const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose, 0.0);
     BodyRecord& record = kinematics_.records[driven.body];
     bodies_.velocity[driven.body] = record.velocity = record.last_velocity = moving.velocity;
@@ -168,7 +168,7 @@ void Simulation::Engine::move() {
 void Simulation::Engine::move_driven(Driven& driven) {
   const std::size_t i = driven.body;
   const double dt = world_.setup.time_step;
-  const BodyStart& start = world_.setup.bodies[i];
+  const BodyStart& start = world_.starts[i];
   const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose,
                                 static_cast<double>(steps_ + 1) * dt);
   driven.displacement = moving.pose.position - driven.position;

@@ -182,7 +182,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
   Next totals("chunks.totals", all.totals);
   list.chunks.clear();
   for (const Header& header : all.headers) {
-    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 1)
+    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 2)
       throw InputError("state", "pairs of another setup", "the setup that the state was made with");
     const ContactLaw& law = world.setup.interactions[header.law].law;
     PairChunk& chunk = list.chunks.emplace_back();
@@ -284,7 +284,7 @@ struct PouredBodies {
 };
 
 void append_poured(const World& world, const PouredBodies& poured, Bodies& bodies) {
-  const std::set<BodyKind> kinds = body_kinds(world.setup);
+  const std::set<BodyKind> kinds = body_kinds(world);
   if (poured.material.size() != poured.shape.size())
     throw InputError("state", "poured bodies without a material", "a shape and a material of each");
   for (std::size_t k = 0; k < poured.shape.size(); ++k) {
@@ -322,7 +322,7 @@ Simulation::Engine::Engine(const Setup& setup, const State& state)
 State Simulation::Engine::state() const {
   State state;
   StateWriter writer(state);
-  const auto first = static_cast<std::ptrdiff_t>(world_.setup.bodies.size());
+  const auto first = static_cast<std::ptrdiff_t>(world_.starts.size());
   PouredBodies poured{.shape = {bodies_.shape.begin() + first, bodies_.shape.end()},
                       .material = {bodies_.material.begin() + first, bodies_.material.end()},
                       .particles = {},

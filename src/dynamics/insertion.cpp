@@ -40,8 +40,16 @@ void insert_randomly(Setup& setup, const RandomInsertion& insertion) {
   check_numbers(insertion.gap, insertion.tries, insertion.velocity, insertion.fluctuation, "insertion");
   std::vector<BodyShape> shapes;
   for (const Shape& shape : setup.shapes) shapes.push_back(body_shape(shape));
+  std::vector<Pose> faces;
+  for (const MeshStart& mesh : setup.meshes)
+    for (const BodyShape& face : face_shapes(mesh.triangles)) {
+      shapes.push_back(face);
+      faces.push_back(mesh.pose);
+    }
   Crowd crowd(shapes, setup.box, insertion.gap);
   for (const BodyStart& body : setup.bodies) crowd.add(body.shape, body.pose);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    crowd.add(static_cast<std::int32_t>(setup.shapes.size() + f), faces[f]);
   Random random(insertion.seed);
   const std::vector<double> weights = weights_of(insertion.kinds);
   std::vector<BodyStart> placed;

@@ -13,7 +13,7 @@
 namespace osculate {
 
 /// Which narrow phase a pair goes through.
-enum class NarrowPhase : std::int32_t { superquadrics, any_shapes };
+enum class NarrowPhase : std::int32_t { superquadrics, any_shapes, faces };
 
 /// What a pair is: chunks hold pairs of one group.
 struct PairGroup {
@@ -126,6 +126,9 @@ void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCa
 
 /// Appends contact `i` of another list with everything it remembers.
 void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law);
+
+/// What a contact remembers becomes another one's; its own is as if it were new.
+void move_memory(Contacts& contacts, std::size_t from, std::size_t to, const ContactLaw& law);
 
 /// Gives back memory that growing left over, but for an eighth.
 void drop_spare_room(PairChunk& chunk);

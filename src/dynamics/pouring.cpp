@@ -49,7 +49,9 @@ Crowd crowd_around(const World& world, const Bodies& bodies, const Pour& pour) {
   Crowd crowd(world.shapes, box, gap);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double reach = gap + largest + world.shapes[static_cast<std::size_t>(bodies.shape[i])].bounding_radius;
-    const Vec3 outside = (region.lower - bodies.position[i]).cwiseMax(bodies.position[i] - region.upper);
+    const BodyShape& shape = world.shapes[static_cast<std::size_t>(bodies.shape[i])];
+    const Vec3 centre = bodies.pose(i).to_world(shape.centre);
+    const Vec3 outside = (region.lower - centre).cwiseMax(centre - region.upper);
     bool is_near = true;
     for (Eigen::Index k = 0; k < 3; ++k) is_near = is_near && (std::isfinite(box.length[k]) || outside[k] <= reach);
     if (is_near) crowd.add(bodies.shape[i], bodies.pose(i));

@@ -29,6 +29,9 @@ const PeriodicBox& Simulation::box() const {
 const Bodies& Simulation::bodies() const {
   return engine_->bodies();
 }
+std::int32_t Simulation::first_face(std::size_t mesh) const {
+  return engine_->world().first_face.at(mesh);
+}
 std::span<const Poured> Simulation::poured() const {
   return engine_->poured();
 }

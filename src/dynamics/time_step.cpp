@@ -145,7 +145,7 @@ TimeStepLimits time_step_limits(const Setup& setup, double speed) {
   const World world = make_world(checked);
   std::vector<Extremes> extremes;
   for (const BodyShape& shape : world.shapes) extremes.push_back(extremes_of(shape));
-  const std::set<BodyKind> kinds = body_kinds(setup);
+  const std::set<BodyKind> kinds = body_kinds(world);
   TimeStepLimits limits{
       .contact_duration = infinity, .rayleigh_time = infinity, .shortest = {}, .recommended = 0, .largest = 0};
 

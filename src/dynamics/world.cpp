@@ -104,7 +104,7 @@ std::vector<std::int32_t> laws_of(const Setup& setup) {
 void require_laws(const World& world) {
   const Setup& setup = world.setup;
   std::vector<std::int64_t> free(setup.materials.size(), 0), all(setup.materials.size(), 0);
-  for (const BodyStart& body : setup.bodies) {
+  for (const BodyStart& body : world.starts) {
     const auto material = static_cast<std::size_t>(body.material);
     ++all[material];
     if (body.motion == Bodies::free) ++free[material];
@@ -125,6 +125,31 @@ void require_laws(const World& world) {
     }
 }
 
+void add_meshes(World& world) {
+  const Setup& setup = world.setup;
+  world.starts = setup.bodies;
+  for (std::size_t m = 0; m < setup.meshes.size(); ++m) {
+    const MeshStart& mesh = setup.meshes[m];
+    const std::string where = "mesh " + std::to_string(m);
+    require_index(mesh.material, setup.materials.size(), where, "material");
+    require_index(mesh.motion, setup.motions.size(), where, "motion");
+    constexpr double unit_tolerance = 1e-6;
+    require(mesh.pose.position.allFinite() && std::fabs(mesh.pose.orientation.norm() - 1.0) <= unit_tolerance, where,
+            "a pose that is none", "a finite position and a unit quaternion");
+    require(!setup.box.repeats(), where, "a surface of triangles in a periodic box", "space that does not repeat");
+    world.first_face.push_back(static_cast<std::int32_t>(world.starts.size()));
+    at_place(where, [&] {
+      for (const BodyShape& face : face_shapes(mesh.triangles)) {
+        world.starts.push_back({.shape = static_cast<std::int32_t>(world.shapes.size()),
+                                .material = mesh.material,
+                                .motion = mesh.motion,
+                                .pose = mesh.pose});
+        world.shapes.push_back(face);
+      }
+    });
+  }
+}
+
 }  // namespace
 
 World make_world(const Setup& setup) {
@@ -141,13 +166,14 @@ World make_world(const Setup& setup) {
 
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) check_body(setup, i);
   for (std::size_t i = 0; i < setup.pours.size(); ++i) check_pour(setup, setup.pours[i], "pour " + std::to_string(i));
+  add_meshes(world);
   bool any_free = false;
   double least_radius = std::numeric_limits<double>::infinity(), most_radius = 0.0, most_volume_radius = 0.0;
   world.least_half_width = least_radius;
-  for (const BodyKind& kind : body_kinds(setup)) {
+  for (const BodyKind& kind : body_kinds(world)) {
     any_free = any_free || kind.is_free;
     const BodyShape& shape = world.shapes[static_cast<std::size_t>(kind.shape)];
-    if (!std::isfinite(shape.bounding_radius)) continue;
+    if (!is_particle(shape.shape)) continue;
     least_radius = std::min(least_radius, shape.bounding_radius);
     most_radius = std::max(most_radius, shape.bounding_radius);
     most_volume_radius = std::max(most_volume_radius, shape.volume_radius);
@@ -179,10 +205,15 @@ void validate(const Setup& setup) {
   make_world(setup);
 }
 
-std::set<BodyKind> body_kinds(const Setup& setup) {
+std::set<BodyKind> body_kinds(const World& world) {
   std::set<BodyKind> kinds;
-  for (const BodyStart& body : setup.bodies) kinds.insert({body.shape, body.material, body.motion == Bodies::free});
-  for (const Pour& pour : setup.pours)
+  for (const BodyStart& body : world.setup.bodies)
+    kinds.insert({body.shape, body.material, body.motion == Bodies::free});
+  for (const std::int32_t face : world.first_face) {  // one stands for all of a mesh
+    const BodyStart& start = world.starts[static_cast<std::size_t>(face)];
+    kinds.insert({start.shape, start.material, false});
+  }
+  for (const Pour& pour : world.setup.pours)
     for (const Kind& kind : pour.kinds) kinds.insert({kind.shape, kind.material, true});
   return kinds;
 }
@@ -211,7 +242,7 @@ void append_body(const World& world, const BodyStart& start, const std::string& 
 
 Bodies make_bodies(const World& world) {
   Bodies bodies;
-  for (const BodyStart& start : world.setup.bodies)
+  for (const BodyStart& start : world.starts)
     append_body(world, start, "body " + std::to_string(bodies.size()), bodies);
   return bodies;
 }

@@ -112,6 +112,14 @@ double expected_speed(const Setup& setup) {
       lowest = std::max(lowest, curved ? depth + reach : depth);
     }
   }
+  for (const MeshStart& mesh : setup.meshes) {
+    double far = 0.0;
+    for (const Vec3& vertex : mesh.triangles.vertices) {
+      far = std::max(far, vertex.norm());
+      lowest = std::max(lowest, down.dot(mesh.pose.to_world(vertex)));
+    }
+    driven = std::max(driven, speed_of(setup.motions[static_cast<std::size_t>(mesh.motion)], mesh.pose.position, far));
+  }
   constexpr double deviations = 3.0;
   for (const Pour& pour : setup.pours) {
     own = std::max(own, pour.velocity.norm() + deviations * pour.fluctuation);
@@ -186,6 +194,7 @@ void require_particles(const TomlTable& file, const Scene& scene) {
 void add_warnings(const TomlTable& file, Scene& scene) {
   const auto& bodies = scene.setup.bodies;
   const bool any_driven =
+      !scene.setup.meshes.empty() ||
       std::any_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion != Bodies::free; });
   if (!scene.setup.gravity.isZero(0.0) && !any_driven)
     scene.warnings.push_back(

@@ -250,6 +250,31 @@ TEST_CASE("A pour comes by number or by mass, in SI") {
   CHECK(read(text).setup.bodies.size() == 7);
 }
 
+TEST_CASE("A mesh is read from its file, in the scene's unit") {
+  const auto with_mesh = [](const std::string& keys) {
+    std::string text = good;
+    return text.insert(text.find("[[obstacles]]"),
+                       "[[walls]]\nname = \"ramp\"\nkind = \"mesh\"\nmaterial = \"wood\"\n" + keys + "\n");
+  };
+  const auto ramp = [](const std::filesystem::path& folder) {
+    std::ofstream(folder / "ramp.obj") << "v 0 0 0\nv 10 0 0\nv 10 10 5\nv 0 10 5\nf 1 2 3 4\n";
+  };
+  ramp(put(good).parent_path());
+  const Scene scene =
+      read(with_mesh("file = \"ramp.obj\"\nscale = 2\nposition = [0, 0, -90]\n"
+                     "motion = {kind = \"translation\", velocity = [0, 0, 30]}"));
+  REQUIRE(scene.setup.meshes.size() == 1);
+  CHECK(scene.mesh_names == std::vector<std::string>{"ramp"});
+  const MeshStart& mesh = scene.setup.meshes[0];
+  CHECK(mesh.material == 1);
+  CHECK(mesh.triangles.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(mesh.triangles.vertices[2].isApprox(Vec3(0.02, 0.02, 0.01)));
+  CHECK(mesh.pose.position.isApprox(Vec3(0, 0, -0.09)));
+  CHECK(scene.speed > 30.0);
+  require_error(with_mesh("file = \"none.stl\""), {"file", "none.stl"});
+  require_error(with_mesh("file = \"ramp.obj\"\nradius = 3"), {"radius"});
+}
+
 TEST_CASE("A sheared box gives particles its flow") {
   std::string text = good;
   text.erase(text.find("[[walls]]"), text.find("[[insert]]") - text.find("[[walls]]"));

@@ -83,11 +83,12 @@ class Simulation {
   double time() const;  ///< [s]
   std::uint64_t steps() const;
   const Setup& setup() const;
-  const PeriodicBox& box() const;             ///< as it is now: the images of a sheared one move
-  const Bodies& bodies() const;               ///< those of the setup, then those poured in the order in which they came
-  std::span<const Poured> poured() const;     ///< what came in of each of the setup's pours
-  std::span<const BodyShape> shapes() const;  ///< one for each of the setup's
-  std::vector<Contact> contacts() const;      ///< in a fixed order
+  const PeriodicBox& box() const;  ///< as it is now: the images of a sheared one move
+  const Bodies& bodies() const;    ///< the setup's, then the faces of its meshes, then what was poured, as it came
+  std::int32_t first_face(std::size_t mesh) const;  ///< the body that is the first face of one of the setup's meshes
+  std::span<const Poured> poured() const;           ///< what came in of each of the setup's pours
+  std::span<const BodyShape> shapes() const;        ///< one for each of the setup's, then the faces
+  std::vector<Contact> contacts() const;            ///< in a fixed order
   EnergyLedger energy() const;
   StepCounts counts() const;
   StageTimes times() const;
