@@ -161,7 +161,7 @@ TEST_CASE("Results of a pour hold more and more particles, from none, and can be
   const test::Run done = run(folder, "run scene.toml --out out");
   REQUIRE(done.exit_code == 0);
   const io::ResultsFile file(folder / "out" / "results.h5");
-  REQUIRE(file.frame_count() == 9);
+  REQUIRE(file.frame_count() >= 9);
   CHECK(file.frame(0).size() == 0);
   std::size_t before = 0;
   for (std::size_t i = 1; i < file.frame_count(); ++i) {

@@ -9,8 +9,6 @@
 namespace osculate::io {
 namespace {
 
-using test::fresh_folder;
-
 constexpr const char* good = R"(length_unit = "mm"
 gravity = [0, 0, -9.81]
 [[materials]]
@@ -79,7 +77,8 @@ interval = "0.1 ms"
 )";
 
 std::filesystem::path put(const std::string& text) {
-  const auto folder = fresh_folder("scene");
+  const auto folder = test::temporary("scene");  // what stands beside the scene stays
+  std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.toml") << text;
   return folder / "scene.toml";
 }
