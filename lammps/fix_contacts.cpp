@@ -27,7 +27,16 @@ void FixContacts::init() {
 }
 
 void FixContacts::pre_exchange() {
+  post_run();
+  make_room();
+}
+
+void FixContacts::post_run() {
   pair_of(lmp, "fix osculate/contacts").stow(stowed_);
+}
+
+/// For what the fullest atom packs.
+void FixContacts::make_room() {
   std::size_t most = 0;
   for (int i = 0; i < atom->nlocal; ++i) most = std::max(most, stowed_[static_cast<std::size_t>(i)].size());
   maxexchange = static_cast<int>(most) + 1;

@@ -16,9 +16,10 @@ class FixContacts : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
-  void setup_pre_exchange() override { pre_exchange(); }
+  /// Atoms may be others than they were when the last run ended: what they have was stowed then.
+  void setup_pre_exchange() override { make_room(); }
   void pre_exchange() override;
-  void post_run() override { pre_exchange(); }
+  void post_run() override;
   void grow_arrays(int most) override { stowed_.resize(static_cast<std::size_t>(most)); }
   void copy_arrays(int from, int to, int) override;
   void set_arrays(int index) override { stowed_[static_cast<std::size_t>(index)].clear(); }
@@ -29,6 +30,8 @@ class FixContacts : public LAMMPS_NS::Fix {
   const std::vector<StowedContacts>& stowed() const { return stowed_; }
 
  private:
+  void make_room();
+
   std::vector<StowedContacts> stowed_;  ///< of each owned atom
 };
 

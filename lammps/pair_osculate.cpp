@@ -75,14 +75,14 @@ void PairOsculate::coeff(int count, char** arguments) {
                                 count, atom->ntypes));
   try {
     const io::Scene scene = io::read_scene(arguments[2]);
-    set_kinds(scene, kinds_by_name(scene, {arguments + 3, arguments + count}));
+    set_kinds(scene.setup, kinds_by_name(scene, {arguments + 3, arguments + count}));
   } catch (const InputError& bad) {
     stop_all(error, bad.what());
   }
 }
 
-void PairOsculate::set_kinds(const io::Scene& scene, const std::vector<AtomKind>& kinds) {
-  rank_ = make_rank_bodies(scene, kinds);
+void PairOsculate::set_kinds(const Setup& setup, const std::vector<AtomKind>& kinds) {
+  rank_ = make_rank_bodies(setup, kinds);
   pairs_ = {};
   const int types = atom->ntypes;
   if (allocated == 0) {
@@ -152,6 +152,7 @@ void PairOsculate::start_records() {
 }
 
 void PairOsculate::relist() {
+  ++lists_;
   set_atoms(*rank_, static_cast<std::size_t>(atom->nlocal), static_cast<std::size_t>(atom->nghost), atom->type);
   if (update->setupflag != 0) {
     start_records();
@@ -273,7 +274,7 @@ void PairOsculate::unpack_forward_comm(int count, int first, double* from) {
 }
 
 void PairOsculate::stow(std::vector<StowedContacts>& atoms) {
-  if (pairs_.is_listed()) pairs_.stow(*rank_, atom->tag, atoms);
+  pairs_.stow(*rank_, atom->tag, atoms);
 }
 
 void PairOsculate::stop_at(const PairChunk& chunk) {

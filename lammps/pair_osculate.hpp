@@ -23,7 +23,7 @@ class PairOsculate : public LAMMPS_NS::Pair {
   ~PairOsculate() override;
 
   /// In place of pair_coeff, by a program: types 1, 2, … are the kinds in their order.
-  void set_kinds(const io::Scene& scene, const std::vector<AtomKind>& kinds);
+  void set_kinds(const Setup& setup, const std::vector<AtomKind>& kinds);
 
   void settings(int count, char** arguments) override;
   void coeff(int count, char** arguments) override;
@@ -34,12 +34,14 @@ class PairOsculate : public LAMMPS_NS::Pair {
   void unpack_forward_comm(int count, int first, double* from) override;
   double memory_usage() override;
 
-  /// Contacts leave the list and go with their atoms.
+  /// Contacts go with their atoms.
   void stow(std::vector<StowedContacts>& atoms);
   void set_contacts_fix(FixContacts* fix) { contacts_ = fix; }
   void set_rigid_fix(FixRigid* fix) { rigid_ = fix; }
   RankBodies& rank() { return *rank_; }
-  double time() const;  ///< [s]
+  PairSums pair_sums() const { return pairs_.sums(); }  ///< of this rank
+  std::uint64_t lists() const { return lists_; }        ///< of pairs, made so far
+  double time() const;                                  ///< [s]
   /// A ball around the box.
   std::pair<Vec3, double> extent() const;
 
@@ -52,6 +54,7 @@ class PairOsculate : public LAMMPS_NS::Pair {
 
   std::optional<RankBodies> rank_;
   RankPairs pairs_;
+  std::uint64_t lists_ = 0;
   FixContacts* contacts_ = nullptr;
   FixRigid* rigid_ = nullptr;
   std::vector<AtomPair> found_;

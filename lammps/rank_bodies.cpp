@@ -12,9 +12,9 @@
 
 namespace osculate::lammps {
 
-std::vector<AtomKind> kinds_of(const io::Scene& scene) {
+std::vector<AtomKind> kinds_of(const Setup& setup) {
   std::set<std::pair<std::int32_t, std::int32_t>> found;
-  for (const BodyStart& body : scene.setup.bodies)
+  for (const BodyStart& body : setup.bodies)
     if (body.motion == Bodies::free) found.emplace(body.shape, body.material);
   std::vector<AtomKind> kinds;
   for (const auto& [shape, material] : found) kinds.push_back({shape, material});
@@ -34,8 +34,7 @@ std::vector<AtomKind> kinds_by_name(const io::Scene& scene, const std::vector<st
   return kinds;
 }
 
-RankBodies make_rank_bodies(const io::Scene& scene, const std::vector<AtomKind>& kinds) {
-  Setup setup = scene.setup;
+RankBodies make_rank_bodies(Setup setup, const std::vector<AtomKind>& kinds) {
   setup.box = {};  // images are LAMMPS's ghosts
   std::erase_if(setup.bodies, [](const BodyStart& body) { return body.motion == Bodies::free; });
   RankBodies rank;

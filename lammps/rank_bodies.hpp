@@ -18,8 +18,8 @@ struct AtomKind {
   std::int32_t material;  ///< index into Setup::materials
 };
 
-/// The kinds that a scene's free bodies are of, in the order of their shapes.
-std::vector<AtomKind> kinds_of(const io::Scene& scene);
+/// The kinds that a setup's free bodies are of, in the order of their shapes.
+std::vector<AtomKind> kinds_of(const Setup& setup);
 
 /// The kind of every name: those of the scene's particles. Throws InputError for a name that is none.
 std::vector<AtomKind> kinds_by_name(const io::Scene& scene, const std::vector<std::string>& names);
@@ -44,8 +44,8 @@ struct RankBodies {
   }
 };
 
-/// Throws InputError if the scene's laws do not cover the kinds.
-RankBodies make_rank_bodies(const io::Scene& scene, const std::vector<AtomKind>& kinds);
+/// Throws InputError if the setup's laws do not cover the kinds.
+RankBodies make_rank_bodies(Setup setup, const std::vector<AtomKind>& kinds);
 
 /// Room for the atoms of a new neighbour list; `types` are LAMMPS's. Travels begin at zero.
 void set_atoms(RankBodies& rank, std::size_t owned, std::size_t ghosts, const int* types);

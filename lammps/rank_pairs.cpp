@@ -96,11 +96,6 @@ void PairSums::add(const PairChunk& chunk, double weight) {
 
 void RankPairs::stow(const RankBodies& rank, const int* tags, std::vector<StowedContacts>& atoms) {
   for (StowedContacts& atom : atoms) atom.clear();
-  const PairSums all = sums();
-  gone_ = {.viscous_loss = all.viscous_loss,
-           .friction_loss = all.friction_loss,
-           .hysteresis_loss = all.hysteresis_loss,
-           .curvature_gain = all.curvature_gain};
   sleepers_.clear();
   for (Index c = 0; c < chunks_.size(); ++c) {
     const PairChunk& chunk = chunks_[c];
@@ -125,9 +120,6 @@ void RankPairs::stow(const RankBodies& rank, const int* tags, std::vector<Stowed
     }
   }
   std::sort(sleepers_.begin(), sleepers_.end(), [](const Sleeper& a, const Sleeper& b) { return a.key < b.key; });
-  chunks_.clear();
-  shared_ = 0;
-  listed_ = false;
 }
 
 RankPairs::Draft& RankPairs::open_draft(const PairGroup& group, Index from) {
@@ -190,6 +182,11 @@ void RankPairs::add(const RankBodies& rank, BodyPair pair, const int* tags, cons
 
 void RankPairs::list(const RankBodies& rank, const int* tags, std::span<const AtomPair> found, double skin,
                      const std::vector<StowedContacts>& atoms) {
+  const PairSums all = sums();
+  gone_ = {.viscous_loss = all.viscous_loss,
+           .friction_loss = all.friction_loss,
+           .hysteresis_loss = all.hysteresis_loss,
+           .curvature_gain = all.curvature_gain};
   chunks_.clear();
   const auto add_atoms = [&](const AtomPair& pair, Index from) {
     const bool in_order = tags[pair.first] < tags[pair.second];
@@ -215,7 +212,6 @@ void RankPairs::list(const RankBodies& rank, const int* tags, std::span<const At
   place_.assign(rank.bodies.size(), -1);
   for (Draft& draft : drafts_) finish(draft);
   drafts_.clear();
-  listed_ = true;
 }
 
 const PairChunk* RankPairs::evaluate(const RankBodies& rank) {

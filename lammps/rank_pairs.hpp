@@ -34,7 +34,8 @@ struct PairSums {
 
 class RankPairs {
  public:
-  /// Takes all pairs out of the list; contacts go to the atoms that this rank owns. `tags` are those of all atoms.
+  /// What contacts remember goes to the atoms that this rank owns. `tags` are those of all atoms. The list stays, for a
+  /// run that goes on with it.
   void stow(const RankBodies& rank, const int* tags, std::vector<StowedContacts>& atoms);
 
   /// A new list, from what LAMMPS found and from the driven bodies. Contacts are those that were stowed.
@@ -45,7 +46,6 @@ class RankPairs {
   /// Forces between the bodies. Returns the chunk in which something went wrong, or null.
   const PairChunk* evaluate(const RankBodies& rank);
 
-  bool is_listed() const { return listed_; }
   PairSums sums() const;
   std::span<const PairChunk> chunks() const { return chunks_; }
   /// Half for pairs that two ranks evaluate.
@@ -71,8 +71,7 @@ class RankPairs {
   void finish(Draft& draft);
 
   std::vector<PairChunk> chunks_;
-  std::size_t shared_ = 0;  ///< chunks from here on hold pairs with ghosts
-  bool listed_ = false;
+  std::size_t shared_ = 0;           ///< chunks from here on hold pairs with ghosts
   std::vector<Sleeper> sleepers_;    ///< by key
   PairSums gone_;                    ///< losses in chunks that are no more
   std::vector<Draft> drafts_;        ///< while a list is made

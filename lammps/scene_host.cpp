@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <numeric>
+#include <type_traits>
 
 #include "lammps/fix_rigid.hpp"
 #include "lammps/pair_osculate.hpp"
+#include "lammps/styles.hpp"
 #include "osculate/core/error.hpp"
 
 namespace osculate::lammps {
@@ -87,8 +89,12 @@ void make_atoms(LAMMPS_NS::LAMMPS& lmp, const Setup& setup, const std::vector<At
     throw InputError("the scene's bodies", "LAMMPS did not take all of them", "bodies inside the box");
 }
 
+FixRigid& rigid_of(LAMMPS_NS::LAMMPS& lmp) {
+  return dynamic_cast<FixRigid&>(*lmp.modify->fix[lmp.modify->find_fix("move")]);
+}
+
 void turn_atoms(LAMMPS_NS::LAMMPS& lmp, const Setup& setup) {
-  auto& rigid = dynamic_cast<FixRigid&>(*lmp.modify->fix[lmp.modify->find_fix("move")]);
+  FixRigid& rigid = rigid_of(lmp);
   for (int i = 0; i < lmp.atom->nlocal; ++i) {
     const BodyStart& body = setup.bodies[static_cast<std::size_t>(lmp.atom->tag[i] - 1)];
     rigid.set_orientation(i, body.pose.orientation.normalized());
@@ -98,20 +104,47 @@ void turn_atoms(LAMMPS_NS::LAMMPS& lmp, const Setup& setup) {
 
 }  // namespace
 
-SceneOrders orders_of(const io::Scene& scene) {
-  return {.steps = scene.steps(),
-          .dump_every = scene.steps_in(scene.output.interval),
-          .thermo_every = scene.steps_in(scene.output.series_interval),
-          .dump = scene.file.stem().string() + ".lammpstrj"};
+std::filesystem::path frames_path(const std::filesystem::path& folder) {
+  return folder / "frames.lammpstrj";
+}
+std::filesystem::path log_path(const std::filesystem::path& folder) {
+  return folder / "log.lammps";
 }
 
-void run_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene, const SceneOrders& orders) {
+std::filesystem::path ready_folder(const std::filesystem::path& folder, bool overwrite) {
+  if (!overwrite && std::filesystem::exists(frames_path(folder)))
+    throw InputError(frames_path(folder).string(), "found results of an earlier run",
+                     "--overwrite to start anew, or another folder by --out");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made (" + error.message() + ")", "a place for the results");
+  return folder;
+}
+
+SceneOrders orders_of(const io::Scene& scene, const std::filesystem::path& folder) {
+  return {.steps = scene.steps(),
+          .frame_every = scene.steps_in(scene.output.interval),
+          .row_every = scene.steps_in(scene.output.series_interval),
+          .frames = frames_path(folder)};
+}
+
+std::unique_ptr<LAMMPS_NS::LAMMPS> start_lammps(MPI_Comm ranks, std::vector<std::string> options) {
+  options.insert(options.begin(), "osculate-lammps");
+  std::vector<char*> pointers;
+  for (std::string& option : options) pointers.push_back(option.data());
+  pointers.push_back(nullptr);
+  auto lmp = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(options.size()), pointers.data(), ranks);
+  add_styles(*lmp);
+  return lmp;
+}
+
+void build_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene) {
   const Setup& setup = scene.setup;
-  const std::vector<AtomKind> kinds = kinds_of(scene);
+  const std::vector<AtomKind> kinds = kinds_of(setup);
   make_box(lmp, make_world(setup), kinds.size());
   make_atoms(lmp, setup, kinds);
   command(lmp, "pair_style osculate");
-  pair_of(&lmp, "a scene").set_kinds(scene, kinds);
+  pair_of(&lmp, "a scene").set_kinds(setup, kinds);
   command(lmp, "fix move all osculate/rigid");
   turn_atoms(lmp, setup);
   if (pair_of(&lmp, "a scene").rank().driven > 0) command(lmp, "fix walls all osculate/walls");
@@ -120,15 +153,70 @@ void run_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene, const SceneOrders
             fmt::format("fix gravity all gravity {:.17g} vector {}", setup.gravity.norm(), vector_text(setup.gravity)));
   command(lmp, fmt::format("timestep {:.17g}", setup.time_step));
   command(lmp, "compute contacts all pair osculate");
-  command(lmp,
-          fmt::format(
-              "dump frames all custom {} {} id type x y z vx vy vz omegax omegay omegaz d_qw d_qx d_qy d_qz fx fy fz",
-              orders.dump_every, orders.dump));
-  command(lmp, "dump_modify frames sort id format float %.17g");
-  command(lmp, fmt::format("thermo {}", orders.thermo_every));
   command(lmp, "thermo_style custom step time ke f_move pe c_contacts[3] c_contacts[4] c_contacts[5] c_contacts[7]");
   command(lmp, "thermo_modify norm no lost error");
+}
+
+void run_scene(LAMMPS_NS::LAMMPS& lmp, const SceneOrders& orders) {
+  const std::string frames = fmt::format(
+      "\"{}\" id type x y z vx vy vz omegax omegay omegaz d_qw d_qx d_qy d_qz fx fy fz", orders.frames.string());
+  const std::string look = "sort id format float %.17g";
+  command(lmp, fmt::format("dump frames all custom {} {}", orders.frame_every, frames));
+  command(lmp, "dump_modify frames " + look);
+  command(lmp, fmt::format("thermo {}", orders.row_every));
   command(lmp, fmt::format("run {}", orders.steps));
+  command(lmp, "undump frames");
+  // The end is a frame too.
+  if (orders.steps % orders.frame_every != 0)
+    command(lmp, fmt::format("write_dump all custom {} modify {} append yes", frames, look));
+}
+
+void advance(LAMMPS_NS::LAMMPS& lmp, std::uint64_t steps) {
+  command(lmp, fmt::format("run {} pre no post no", steps));
+}
+
+std::vector<BodyStart> gather_bodies(LAMMPS_NS::LAMMPS& lmp, const Setup& setup) {
+  constexpr int numbers = 14;  // of an atom: tag, position, orientation, velocity, angular velocity
+  const auto& rigid = rigid_of(lmp);
+  std::vector<double> mine, all;
+  for (int i = 0; i < lmp.atom->nlocal; ++i) {
+    const Quat q = rigid.orientation(i);
+    mine.insert(mine.end(), {static_cast<double>(lmp.atom->tag[i]), lmp.atom->x[i][0], lmp.atom->x[i][1],
+                             lmp.atom->x[i][2], q.w(), q.x(), q.y(), q.z()});
+    mine.insert(mine.end(), lmp.atom->v[i], lmp.atom->v[i] + 3);
+    mine.insert(mine.end(), lmp.atom->omega[i], lmp.atom->omega[i] + 3);
+  }
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(lmp.world, &rank);
+  MPI_Comm_size(lmp.world, &ranks);
+  const auto count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, lmp.world);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  if (rank == 0) all.resize(static_cast<std::size_t>(starts.back() + counts.back()));
+  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, 0, lmp.world);
+  if (rank != 0) return {};
+  std::vector<BodyStart> bodies = setup.bodies;
+  for (std::size_t at = 0; at < all.size(); at += numbers) {
+    const double* n = &all[at];
+    BodyStart& body = bodies[static_cast<std::size_t>(n[0]) - 1];
+    body.pose = {.position = {n[1], n[2], n[3]}, .orientation = {n[4], n[5], n[6], n[7]}};
+    body.velocity = {n[8], n[9], n[10]};
+    body.angular_velocity = {n[11], n[12], n[13]};
+  }
+  const double time = pair_of(&lmp, "a scene").time();
+  for (BodyStart& body : bodies)
+    if (body.motion != Bodies::free)
+      body.pose = at_time(setup.motions[static_cast<std::size_t>(body.motion)], body.pose, time).pose;
+  return bodies;
+}
+
+PairSums gather_sums(LAMMPS_NS::LAMMPS& lmp) {
+  const PairSums mine = pair_of(&lmp, "a scene").pair_sums();
+  static_assert(std::is_trivially_copyable_v<PairSums> && sizeof(PairSums) % sizeof(double) == 0);
+  PairSums all;
+  MPI_Reduce(&mine, &all, sizeof(PairSums) / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, lmp.world);
+  return all;
 }
 
 }  // namespace osculate::lammps

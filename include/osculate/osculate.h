@@ -68,11 +68,10 @@ OSCULATE_API int osculate_new_sphere(double radius, osculate_shape** shape);
 OSCULATE_API int osculate_new_ellipsoid(const double half_axes[3], osculate_shape** shape);
 
 /** Superquadric (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 of half-axes a, b, c > 0 [m] and exponents in
- * (1, 64].                                                                                             [KDY23 (15)] */
+ * (1, 64]. */
 OSCULATE_API int osculate_new_superquadric(const double half_axes[3], double n1, double n2, osculate_shape** shape);
 
-/** Potential particle: a rounded convex polyhedron of `planes` face planes around the origin.     [KDY23 (16);
- * Houlsby09]
+/** Potential particle: a rounded convex polyhedron of `planes` face planes around the origin. [Houlsby09]
  * @param normals        outward unit normals, x, y, z of one plane after another
  * @param distances      of the planes from the origin, > 0 [m]
  * @param sphericity     k in (0, 1]; 1 is the sphere
@@ -144,9 +143,9 @@ typedef struct osculate_contact {
   double direction_1[3]; /**< unit tangent of body 1's larger one */
   double curvature_2[2]; /**< principal curvatures of body 2, the larger one first [1/m] */
   double direction_2[3]; /**< unit tangent of body 2's larger one */
-  double R_i;           /**< larger radius of relative curvature [m]; infinite along a flat direction [KDY23 (3),(4)] */
-  double R_j;           /**< smaller radius [m] */
-  double major_axis[3]; /**< unit tangent along R_i, the contact ellipse's major axis */
+  double R_i;            /**< larger radius of relative curvature [m]; infinite along a flat direction */
+  double R_j;            /**< smaller radius [m] */
+  double major_axis[3];  /**< unit tangent along R_i, the contact ellipse's major axis */
 } osculate_contact;
 
 /** The contact of two shapes, at most one of them a wall.

@@ -72,6 +72,7 @@ class Bed {
         steps_[k][1][i] = (move.x * std::cos(way[i]) - move.y * std::sin(way[i])) / time_step;
         steps_[k][2][i] = (move.x * std::sin(way[i]) + move.y * std::cos(way[i])) / time_step;
         steps_[k][3][i] = -1e-3;
+        steps_[k][4][i] = turning * std::cos(way[i]), steps_[k][5][i] = turning * std::sin(way[i]);
         steps_[k][6][i] = path == Path::oscillating ? 0.0 : 1e-4 / time_step;
       }
     }
@@ -80,7 +81,10 @@ class Bed {
   void step(const ContactLaw& law) {
     const auto& now = steps_[next_];
     next_ = (next_ + 1) % length;
-    LawOutput output{.force = {out_[0], out_[1], out_[2]}, .normal_force = out_[3], .status = status_};
+    LawOutput output{.force = {out_[0], out_[1], out_[2]},
+                     .couple = {out_[9], out_[10], out_[11]},
+                     .normal_force = out_[3],
+                     .status = status_};
     if (asked_ == Asked::energies) {
       output.stored_normal = out_[4], output.stored_tangential = out_[5];
       output.viscous_loss = out_[6], output.friction_loss = out_[7], output.hysteresis_loss = out_[8];
@@ -91,6 +95,7 @@ class Bed {
                   .normal = {frame_[0], frame_[1], frame_[2]},
                   .major_axis = {frame_[3], frame_[4], frame_[5]},
                   .velocity = {now[1], now[2], now[3]},
+                  .angular_velocity = {now[4], now[5], now[6]},
                   .mean_angular_velocity = {now[4], now[5], now[6]},
                   .reduced_mass = mass_,
                   .time_step = time_step},
@@ -98,7 +103,7 @@ class Bed {
   }
 
  private:
-  static constexpr double time_step = 1e-6;
+  static constexpr double time_step = 1e-6, turning = 50.0;  // [s], [rad/s], of the rolling
   struct Move {
     double overlap, x, y;
   };
@@ -120,7 +125,7 @@ class Bed {
   Asked asked_;
   std::array<std::array<Column, 7>, length> steps_;
   std::array<Column, 6> frame_;
-  std::array<Column, 9> out_;
+  std::array<Column, 12> out_;
   std::vector<double, Eigen::aligned_allocator<double>> memory_;
   std::vector<LawStatus> status_;
   Column mass_;
@@ -230,6 +235,8 @@ std::vector<LawTimes> time_laws(const LawBenchSettings& settings) {
       tsuji{"tsuji", {{"restitution", 0.8}}};
   const ChosenLaw mindlin{"mindlin", {{"friction", friction}}}, history{"tsuji_tangential", {{"friction", friction}}};
   const ChosenLaw spring{"cundall_strack", {{"friction", friction}, {"tangential_stiffness", 1e6}}};
+  const ChosenLaw twisting{"twisting", {{"friction", friction}}},
+      rolling{"vermeulen_johnson", {{"friction", friction}}};
   const ChosenLaw jkr{"jkr", {{"work_of_adhesion", 0.05}}};
   const ChosenLaw plastic{
       "jamari_schipper",
@@ -250,6 +257,8 @@ std::vector<LawTimes> time_laws(const LawBenchSettings& settings) {
       {"Hertz, viscous, one spring", {hertz, viscous, history}, Path::wandering, "at random"},
       {"Hertz, viscous, Mindlin", {hertz, viscous, mindlin}, Path::impact, "impact, and its energies", Asked::energies},
       {"Hertz, Tsuji, one spring", {hertz, tsuji, history}, Path::impact, "impact, and its energies", Asked::energies},
+      {"Hertz, viscous, Mindlin, twisting", {hertz, viscous, mindlin, twisting}, Path::impact, "impact, slip turning"},
+      {"Hertz, viscous, rolling", {hertz, viscous, rolling}, Path::wandering, "at random"},
       {"JKR, viscous, one spring",
        {hertz, jkr, viscous, spring},
        Path::impact,

@@ -22,6 +22,7 @@ constexpr const char* first_steps =
   osculate contact --pairs pairs.csv --out contacts.csv    a table of superquadric pairs
   osculate law mindlin --set friction=0.3 --picture loop.png   a law of contact, along a cycle of slip
   osculate run examples/scenes/settling-box.toml           a scene: particles, walls, laws; results as HDF5 and CSV
+  mpirun -n 4 osculate run SCENE.toml --engine lammps      a scene on LAMMPS, over MPI
   osculate render results.h5 --animation run.mp4           pictures and a film of a simulation, without a display
   osculate export results.h5 --paraview run.pvd            its particles for ParaView, or OVITO
   osculate review --html review                            the review's tables and figures anew, on one page

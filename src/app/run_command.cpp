@@ -6,8 +6,10 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/commands.hpp"
+#include "app/lammps_program.hpp"
 #include "app/scene_run.hpp"
 #include "io/quantity_text.hpp"
 #include "io/scene.hpp"
@@ -28,7 +30,11 @@ docs/scene-files.md explains its keys, examples/scenes has some to start from.
 
 Into the folder go results.h5 (frames and series; docs/results-files.md), series.csv and two checkpoints. Ctrl-C stops
 with a checkpoint. A resumed run gives the same numbers, bit by bit, as one that was never stopped; so does any number
-of threads.)";
+of threads.
+
+  mpirun -n 4 osculate run SCENE.toml --engine lammps   the same scene on LAMMPS, over MPI (docs/lammps.md)
+
+Into the folder go frames.lammpstrj and log.lammps then.)";
 
 // A signal handler can reach nothing else.
 std::atomic<int> stop_signal{0};
@@ -57,10 +63,20 @@ class StopOnSignal {
 };
 
 struct Options {
-  std::string scene, folder;
+  std::string scene, folder, engine = "embedded";
   int threads = 0;
   bool resume = false, overwrite = false;
 };
+
+[[noreturn]] void run_on_lammps(const Options& options) {
+  constexpr const char* where = "--engine lammps";
+  if (options.resume) throw InputError(where, "found --resume", "a run from the start: LAMMPS has no checkpoints here");
+  if (options.threads > 0) throw InputError(where, "found --threads", "ranks: mpirun -n N osculate run …");
+  std::vector<std::string> arguments{options.scene};
+  if (!options.folder.empty()) arguments.insert(arguments.end(), {"--out", options.folder});
+  if (options.overwrite) arguments.emplace_back("--overwrite");
+  become_lammps(arguments);
+}
 
 void print_summary(const Simulation& simulation, std::uint64_t steps, double seconds) {
   const EnergyLedger energy = simulation.energy();
@@ -94,6 +110,7 @@ void print_summary(const Simulation& simulation, std::uint64_t steps, double sec
 }
 
 void run(const Options& options) {
+  if (options.engine == "lammps") run_on_lammps(options);
   const StopOnSignal signals;
   io::Scene scene = io::read_scene(options.scene);
   scene.setup.threads =
@@ -135,6 +152,9 @@ void add_run(CLI::App& program) {
   command->add_option("--threads", options->threads, "How many; all cores if not given")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  command->add_option("--engine", options->engine, "Osculate's own, or LAMMPS under mpirun")
+      ->check(CLI::IsMember({"embedded", "lammps"}))
+      ->capture_default_str();
   CLI::Option* resume = command->add_flag("--resume", options->resume, "Go on from the last checkpoint");
   command->add_flag("--overwrite", options->overwrite, "Replace the results of an earlier run")->excludes(resume);
   command->callback([options] { run(*options); });

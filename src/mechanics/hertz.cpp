@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "mechanics/require.hpp"
 #include "osculate/core/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -109,13 +110,10 @@ Contact contact(const ContactEllipse& ellipse, double modulus, double overlap, d
 
 void contacts(const BatchInput& input, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other :
-       {input.R_j.size(), input.smallest_radius.size(), input.modulus.size(), input.overlap.size(), output.force.size(),
-        output.a_c.size(), output.b_c.size(), output.peak_pressure.size(), output.stiffness.size(),
-        output.strain_energy.size(), output.validity.size()})
-    if (other != size)
-      throw InputError("hertz::contacts", "a column of " + std::to_string(other) + " values",
-                       std::to_string(size) + " as in R_i");
+  require_columns("hertz::contacts", size,
+                  {input.R_j.size(), input.smallest_radius.size(), input.modulus.size(), input.overlap.size(),
+                   output.force.size(), output.a_c.size(), output.b_c.size(), output.peak_pressure.size(),
+                   output.stiffness.size(), output.strain_energy.size(), output.validity.size()});
   HWY_DYNAMIC_DISPATCH(hertz_contacts)(input, output);
 }
 

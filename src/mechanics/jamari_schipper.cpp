@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "mechanics/require.hpp"
 #include "osculate/core/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -192,14 +193,11 @@ Contact contact(double R_i, double R_j, double modulus, const Plasticity& plasti
 
 void contacts(const BatchInput& input, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other :
-       {input.R_j.size(), input.modulus.size(), input.yield_pressure.size(), input.plastic_pressure.size(),
-        input.area_ratio.size(), input.overlap.size(), output.largest_overlap.size(), output.force.size(),
-        output.area.size(), output.stiffness.size(), output.strain_energy.size(), output.residual_overlap.size(),
-        output.regime.size()})
-    if (other != size)
-      throw InputError("jamari_schipper::contacts", "a column of " + std::to_string(other) + " values",
-                       std::to_string(size) + " as in R_i");
+  require_columns("jamari_schipper::contacts", size,
+                  {input.R_j.size(), input.modulus.size(), input.yield_pressure.size(), input.plastic_pressure.size(),
+                   input.area_ratio.size(), input.overlap.size(), output.largest_overlap.size(), output.force.size(),
+                   output.area.size(), output.stiffness.size(), output.strain_energy.size(),
+                   output.residual_overlap.size(), output.regime.size()});
   HWY_DYNAMIC_DISPATCH(jamari_schipper_contacts)(input, output);
 }
 

@@ -102,7 +102,7 @@ HWY_INLINE AdhesivePair<Real> adhesive_pair(const Real& R_i, const Real& R_j, co
   pair.modulus = modulus;
   pair.strength = sqrt(Real(two_over_pi) * work / modulus) * pair.radii.R;
   // Only a start for the search, so an exponent is enough; the bound keeps log from zero.
-  pair.length = exp(Real(2.0 / 3.0) * log(max(pair.strength, Real(1e-200))));
+  pair.length = select(work > Real(0.0), exp(Real(2.0 / 3.0) * log(max(pair.strength, Real(1e-200)))), Real(0.0));
   pair.hertz = ellipse_of(R_i, R_j);
   return pair;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mechanics/quadrature.hpp"
+#include "mechanics/require.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/contact_ellipse.hpp"
 #include "osculate/mechanics/hertz.hpp"
@@ -388,12 +389,10 @@ std::string_view name(Status status) {
 
 void contacts(const BatchInput& input, std::span<Memory> memory, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other :
-       {input.R_j.size(), input.modulus.size(), input.work_of_adhesion.size(), input.overlap.size(), memory.size(),
-        output.force.size(), output.a_c.size(), output.b_c.size(), output.stiffness.size(), output.status.size()})
-    if (other != size)
-      throw InputError("johnson_greenwood::contacts", "a column of " + std::to_string(other) + " values",
-                       std::to_string(size) + " as in R_i");
+  require_columns(
+      "johnson_greenwood::contacts", size,
+      {input.R_j.size(), input.modulus.size(), input.work_of_adhesion.size(), input.overlap.size(), memory.size(),
+       output.force.size(), output.a_c.size(), output.b_c.size(), output.stiffness.size(), output.status.size()});
   HWY_DYNAMIC_DISPATCH(johnson_greenwood_contacts)(input, memory, output);
 }
 

@@ -157,4 +157,22 @@ Force linear_force(const Coefficients& coefficients, double shear_modulus, doubl
           .moment = unit * c * (coefficients.c23 * creepage.lateral - c * coefficients.c33 * creepage.spin)};
 }
 
+Force limited(const Force& force, const Limit& limit) {
+  if (!(limit.force > 0.0 && limit.moment > 0.0)) return {};
+  const double asked =
+      std::hypot(std::hypot(force.longitudinal, force.lateral) / limit.force, force.moment / limit.moment);
+  if (!(asked > 1.0)) return force;
+  return {.longitudinal = force.longitudinal / asked, .lateral = force.lateral / asked, .moment = force.moment / asked};
+}
+
+Force sliding(double longitudinal_slip, double lateral_slip, double spin, const Limit& limit) {
+  if (!(limit.force > 0.0 && limit.moment > 0.0)) return {};
+  const double arm = limit.moment / limit.force;
+  const double slip = std::hypot(std::hypot(longitudinal_slip, lateral_slip), arm * spin);
+  if (!(slip > 0.0)) return {};
+  return {.longitudinal = -limit.force * longitudinal_slip / slip,
+          .lateral = -limit.force * lateral_slip / slip,
+          .moment = -limit.moment * arm * spin / slip};
+}
+
 }  // namespace osculate::kalker

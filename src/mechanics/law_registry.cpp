@@ -103,15 +103,24 @@ bool replaces_normal(LawSlot slot) {
   return slot == LawSlot::adhesion || slot == LawSlot::roughness || slot == LawSlot::plasticity;
 }
 
+/// What a contact is pressed and rubbed by runs in batches; these follow.
+bool makes_couples(LawSlot slot) {
+  return slot == LawSlot::twisting || slot == LawSlot::rolling;
+}
+
+laws::BoundPart bound(const ChosenLaw& law, const ElasticMaterial& material_1, const ElasticMaterial& material_2) {
+  const laws::Law& entry = known(law.name);
+  return {entry.bind({material_1, material_2, law.parameters}), entry.description.memory};
+}
+
 ContactLaw scalar_law(const std::vector<ChosenLaw>& chosen, const ElasticMaterial& material_1,
                       const ElasticMaterial& material_2) {
   const bool replaced =
       std::ranges::any_of(chosen, [](const ChosenLaw& law) { return replaces_normal(law_named(law.name).slot); });
   std::vector<laws::BoundPart> parts;
   for (const ChosenLaw& law : chosen) {
-    const laws::Law& entry = known(law.name);
-    if (replaced && entry.description.slot == LawSlot::normal) continue;
-    parts.push_back({entry.bind({material_1, material_2, law.parameters}), entry.description.memory});
+    if (replaced && law_named(law.name).slot == LawSlot::normal) continue;
+    parts.push_back(bound(law, material_1, material_2));
   }
   return laws::composed(parts);
 }
@@ -178,8 +187,16 @@ ContactLaw make_contact_law(const LawChoice& choice, const ElasticMaterial& mate
   validate(material_2);
   const std::vector<ChosenLaw> chosen = checked(choice);
   laws::ChosenBySlot by_slot;
-  for (const ChosenLaw& law : chosen) by_slot.emplace(law_named(law.name).slot, &law);
-  if (auto law = laws::batched(by_slot, material_1, material_2)) return *law;
+  std::vector<laws::BoundPart> couples;
+  for (const ChosenLaw& law : chosen) {
+    const LawSlot slot = law_named(law.name).slot;
+    if (makes_couples(slot))
+      couples.push_back(bound(law, material_1, material_2));
+    else
+      by_slot.emplace(slot, &law);
+  }
+  if (auto law = laws::batched(by_slot, material_1, material_2))
+    return couples.empty() ? *law : laws::followed(*law, couples);
   return scalar_law(chosen, material_1, material_2);
 }
 

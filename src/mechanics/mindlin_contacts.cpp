@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "mechanics/require.hpp"
 #include "osculate/core/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -206,15 +207,12 @@ Pair pair(const ElasticMaterial& material_1, const ElasticMaterial& material_2, 
 
 void contacts(const Pair& pair, const BatchInput& input, std::span<MemoryBlock> memory, const BatchOutput& output) {
   const std::size_t size = input.R_i.size();
-  for (const std::size_t other :
-       {input.R_j.size(), input.overlap.size(), input.overlap_rate.size(), input.normal.x.size(), input.normal.y.size(),
-        input.normal.z.size(), input.major_axis.x.size(), input.major_axis.y.size(), input.major_axis.z.size(),
-        input.displacement.x.size(), input.displacement.y.size(), input.displacement.z.size(), input.spin.size(),
-        output.force.x.size(), output.force.y.size(), output.force.z.size(), output.normal_force.size(),
-        output.status.size()})
-    if (other != size)
-      throw InputError("mindlin::contacts", "a column of " + std::to_string(other) + " values",
-                       std::to_string(size) + " as in R_i");
+  require_columns("mindlin::contacts", size,
+                  {input.R_j.size(), input.overlap.size(), input.overlap_rate.size(), input.normal.x.size(),
+                   input.normal.y.size(), input.normal.z.size(), input.major_axis.x.size(), input.major_axis.y.size(),
+                   input.major_axis.z.size(), input.displacement.x.size(), input.displacement.y.size(),
+                   input.displacement.z.size(), input.spin.size(), output.force.x.size(), output.force.y.size(),
+                   output.force.z.size(), output.normal_force.size(), output.status.size()});
   for (const std::size_t other : {input.reduced_mass.size(), output.a_c.size(), output.axis_ratio.size(),
                                   output.stiffness.size(), output.stored_normal.size(), output.stored_tangential.size(),
                                   output.viscous_power.size(), output.friction_loss.size()})

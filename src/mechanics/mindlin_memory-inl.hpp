@@ -182,7 +182,11 @@ HWY_INLINE PlanarOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>&
   const PlanarOf<Real> sheared = traction(line);
   const Real share = Real(8.0 / 9.0) * reciprocal(line.rim_root);
   PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
-  if (any((rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y))) energy = squared(line);
+  const MaskType<Real> near = (rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y);
+  if (any(near)) {
+    const PlanarOf<Real> exact = squared(line);
+    energy = {select(near, exact.x, energy.x), select(near, exact.y, energy.y)};
+  }
   const Real least(smallest_normal);
   const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
     const Real left = max(one - more * reciprocal(max(of, least)), least);
@@ -218,6 +222,7 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
   const Real zero(0.0), one(1.0);
   const int last = std::min(line.most, mindlin::layers);  // the place of the old rim
   const Real rim_root = sqrt(overlap);
+  const Real old_depth = line.rim_root * line.rim_root;
   const ConeOf<Real> cone{overlap, rim_root, friction};
 
   // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
@@ -272,12 +277,13 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
   const MaskType<Real> turns = abs(foot.x * shift.y - foot.y * shift.x) > Real(straight) * sliding * sliding;
   if (any(turns)) {
     LayerOf<Real> last_trial = trial[0], last_next = next[0];
-    Real points(1.0);
+    Real places(1.0), points(1.0);  // copies of the old rim take places, and are one point
     for (int i = 1; i <= last; ++i) last_trial = select(beyond[i], last_trial, trial[i]);
     for (int i = 1; i <= last + 1; ++i) {
       const MaskType<Real> is_rim = cone.at_rim(next[i]);
+      points = select((!is_rim) & (next[i].root > last_next.root), points + one, points);
       last_next = select(is_rim, last_next, next[i]);
-      points = select(is_rim, points, points + one);
+      places = select(is_rim, places, places + one);
     }
     const MaskType<Real> slip_there = cone.slides(slips);
     const MaskType<Real> halve = turns & (all_slide | slip_there) & (points < Real(double(mindlin::layers))) &
@@ -285,18 +291,22 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
     const Real share =
         (Real(0.5) * (last_next.depth() + overlap) - last_trial.depth()) / (overlap - last_trial.depth());
     const LayerOf<Real> middle = cone.projected(between(last_trial, end, share));
-    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (points == Real(double(i))), middle, next[i]);
+    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
   // Points on a straight line, or on top of each other, say nothing. Before each other one stand `way` of them.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
   const Real nowhere(whole_bits);
+  // Copies of the old rim are followed by what comes after them all.
+  const LayerOf<Real> after = select(next[last + 1].depth() - old_depth > close, next[last + 1], rim);
   Real count(1.0), way[room], farthest = nowhere;
   way[0] = nowhere;
   LayerOf<Real> previous = next[0], point = next[1];
   Real left = point.depth() - previous.depth();
   for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real> following = i <= last + 1 ? next[i + 1] : rim;
+    const LayerOf<Real> coming = i <= last + 1 ? next[i + 1] : rim;
+    const Real on = coming.depth() - point.depth();
+    const LayerOf<Real> following = select(on > close, coming, after);
     const Real right = following.depth() - point.depth();
     const Real stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
@@ -307,8 +317,8 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
     count = select(idle, count, count + one);
     farthest = max(farthest, way[i]);
     // The next one is held against those that stay: of two points close together each is idle beside the other.
-    previous = select(idle, previous, point), left = select(idle, stretch, right);
-    point = following;
+    previous = select(idle, previous, point), left = select(idle, left + on, on);
+    point = coming;
   }
   // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
   // one does, and so on.

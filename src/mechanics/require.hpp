@@ -2,6 +2,8 @@
 // The checks that every model's set-up makes of its numbers.
 
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <string>
 
 #include "osculate/core/error.hpp"
@@ -22,6 +24,14 @@ inline void require_not_negative(const std::string& where, const std::string& wh
 inline void require_restitution(const std::string& where, double value) {
   if (!(value > 0.0 && value <= 1.0))
     throw InputError(where, "restitution " + std::to_string(value), "a value in (0, 1]");
+}
+
+/// Columns of one batch.
+inline void require_columns(const std::string& where, std::size_t size, std::initializer_list<std::size_t> others) {
+  for (const std::size_t other : others)
+    if (other != size)
+      throw InputError(where, "a column of " + std::to_string(other) + " values",
+                       std::to_string(size) + " as in the first");
 }
 
 }  // namespace osculate

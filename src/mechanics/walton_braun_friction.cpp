@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/require.hpp"
 
 namespace osculate::walton_braun_friction {
 namespace {
 
+/// Lengths below this have no direction that could be trusted.
+constexpr double smallest = std::numeric_limits<double>::min();
+
 /// Turns the direction by what the motion square to it adds to the force.
 void add_sideways(Memory& memory, const TangentVector& force) {
   const TangentVector total = memory.force * memory.direction + force;
   const double size = norm(total);
-  if (!(size > 0.0)) return;
+  if (!(size > smallest)) return;
   if (memory.force == 0.0) memory.turning = 0.0;
   const double sign = std::copysign(1.0, memory.force);
   memory.force = sign * size;
@@ -62,7 +66,7 @@ TangentVector force(const Model& model, double normal_force, const TangentVector
   memory.force = std::clamp(memory.force, -limit, limit);
 
   const double length = norm(displacement);
-  if (length > 0.0) {
+  if (length > smallest) {
     if (dot(memory.direction, memory.direction) == 0.0) memory.direction = (1.0 / length) * displacement;
     const double along = dot(displacement, memory.direction);
     const TangentVector sideways = displacement - along * memory.direction;

@@ -293,4 +293,32 @@ TEST_CASE("Every example scene passes its check and runs") {
   CHECK(count >= 8);
 }
 
+TEST_CASE("Without osculate-lammps, --engine lammps says what to install and how to build it") {
+  const auto folder = fresh_folder("no_lammps");
+  put(folder / "scene.toml", small_scene("1 ms"));
+  // A copy with nothing beside it.
+  fs::copy_file(OSCULATE_PROGRAM, folder / "osculate");
+  const std::string command =
+      "cd '" + folder.string() + "' && PATH=/none ./osculate run scene.toml --engine lammps 2>stderr.txt >stdout.txt";
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 2);
+  const std::string said = content_of(folder / "stderr.txt");
+  INFO(said);
+  CHECK(said.find("found no program osculate-lammps") != std::string::npos);
+  CHECK(said.find("-DOSCULATE_WITH_LAMMPS=ON") != std::string::npos);
+  CHECK(said.find("liblammps-dev") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "scene"));
+}
+
+TEST_CASE("--engine lammps refuses what only the embedded engine does") {
+  const auto folder = fresh_folder("lammps_options");
+  put(folder / "scene.toml", small_scene("1 ms"));
+  for (const std::string option : {"--resume", "--threads 2"}) {
+    const auto refused = run(folder, "run scene.toml --engine lammps " + option);
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find(option.substr(0, option.find(' '))) != std::string::npos);
+  }
+  CHECK(run(folder, "run scene.toml --engine gromacs").exit_code != 0);
+}
+
 }  // namespace osculate::app

@@ -1,5 +1,7 @@
 // The same scenes through LAMMPS and through the library's own engine.
 
+#include <sys/wait.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int columns = 16;
 /// Position, velocity, angular velocity, orientation w x y z, force with gravity.
+using test::fresh_folder;
 using test::temporary;
 using Row = std::array<double, columns>;
 /// By step, then by tag.
@@ -49,28 +52,37 @@ fs::path written(const std::string& name, const std::string& text) {
   return path;
 }
 
-/// Runs osculate-lammps and gives what it said; fails if the program does.
-std::string run_program(int ranks, const std::string& arguments) {
+struct Run {
+  int exit_code;
+  std::string said;
+};
+
+/// A program with its arguments under mpirun.
+Run mpirun(int ranks, const std::string& program) {
   const fs::path said = temporary("said.txt");
   const std::string command = std::string(OSCULATE_MPIEXEC) +
                               " --allow-run-as-root --oversubscribe --bind-to none -n " + std::to_string(ranks) + " " +
-                              OSCULATE_LAMMPS_PROGRAM + " " + arguments + " >" + said.string() + " 2>&1";
+                              program + " >" + said.string() + " 2>&1";
   const int status = std::system(command.c_str());
   std::ifstream file(said);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   fs::remove(said);
-  INFO(command << '\n' << text);
-  REQUIRE(status == 0);
-  return text;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, command + '\n' + text};
+}
+
+/// What osculate-lammps said; fails if the program does.
+std::string run_program(int ranks, const std::string& arguments) {
+  const Run run = mpirun(ranks, std::string(OSCULATE_LAMMPS_PROGRAM) + " " + arguments);
+  INFO(run.said);
+  REQUIRE(run.exit_code == 0);
+  return run.said;
 }
 
 Frames run_ranks(int ranks, const fs::path& scene, std::uint64_t steps, std::uint64_t every) {
-  const fs::path dump = temporary("frames.lammpstrj");
+  const fs::path folder = fresh_folder("ranks");
   run_program(ranks, scene.string() + " --steps " + std::to_string(steps) + " --every " + std::to_string(every) +
-                         " --dump " + dump.string());
-  Frames frames = read_dump(dump);
-  fs::remove(dump);
-  return frames;
+                         " --out " + folder.string());
+  return read_dump(folder / "frames.lammpstrj");
 }
 
 Row row_of(const Simulation& simulation, std::size_t i) {
@@ -163,6 +175,25 @@ const std::string belt_start = R"(gravity = [1, 0, -9.81]
 periodic = {x = [-20, 20], y = [-10, 10]}
 )";
 
+const std::string falling = R"(gravity = [0, 0, -9.81]
+)" + plastic + R"(
+fraction_region = {kind = "box", lower = [0, 0, 0], upper = [20, 20, 10]}
+[[particles]]
+name = "box"
+shape = {kind = "superquadric", half_axes = [2.5, 2.5, 2.5], n = [4, 4]}
+[[walls]]
+kind = "box"
+lower = [0, 0, 0]
+upper = [20, 20, 60]
+sides = ["-x", "+x", "-y", "+y", "-z"]
+[[insert]]
+how = "lattice"
+region = {kind = "box", lower = [0, 0, 0], upper = [20, 20, 50]}
+fluctuation = 0.1
+[time]
+duration = "0.03 s"
+)";
+
 }  // namespace
 
 TEST_CASE("An oblique impact through LAMMPS on 1, 2 and 4 ranks is that of the embedded engine to 1e-10") {
@@ -197,7 +228,7 @@ TEST_CASE("A sticking pair keeps its tangential forces when it crosses from one 
 
 TEST_CASE("An ordinary LAMMPS script runs the pair style, on one rank as on two") {
   const fs::path scene = OSCULATE_EXAMPLES_DIR "/scenes/two-particle-impact.toml";
-  const auto run_script = [&](int ranks) {
+  const auto run_script = [&](int ranks, const std::string& runs) {
     const fs::path dump = temporary("script.lammpstrj");
     const fs::path script = written("in.lmp",
                                     R"(units si
@@ -224,21 +255,68 @@ timestep 1.7578e-7
 dump frames all custom 250 )" + dump.string() +
                                         R"( id type x y z vx vy vz omegax omegay omegaz d_qw d_qx d_qy d_qz fx fy fz
 dump_modify frames sort id format float %.17g
-run 6000
-run 6000
-)");
+)" + runs);
     run_program(ranks, "-log none -in " + script.string());
     Frames frames = read_dump(dump);
     fs::remove(dump);
     fs::remove(script);
     return frames;
   };
-  const Frames one = run_script(1);
+  const Frames one = run_script(1, "run 6000\nrun 6000\n");
   REQUIRE(one.rbegin()->first == 12000);
   CHECK(std::fabs(one.at(12000).at(1)[8]) > 1.0);
-  CHECK(largest_difference(one, run_script(2)) < 1e-10);
+  CHECK(largest_difference(one, run_script(2, "run 6000\nrun 6000\n")) < 1e-10);
   // Momentum stays.
   CHECK(one.at(12000).at(1)[3] + one.at(12000).at(2)[3] == Approx(0.5).epsilon(1e-12));
+  // A run that goes on with the lists and forces of the last one is the same run: here it does so during the contact.
+  const Frames whole = run_script(2, "run 12000\n");
+  std::string parts;
+  for (int part = 0; part < 12; ++part) parts += "run 1000 pre no\n";
+  CHECK(largest_difference(whole, run_script(2, parts)) == 0.0);
+}
+
+TEST_CASE("osculate run --engine lammps is osculate-lammps, under mpirun and alone") {
+  const fs::path scene = written("belt.toml", belt_start + belt), folder = fresh_folder("engine") / "belt";
+  const std::string command =
+      std::string(OSCULATE_PROGRAM) + " run " + scene.string() + " --engine lammps --out " + folder.string();
+  const Run two = mpirun(2, command);
+  INFO(two.said);
+  REQUIRE(two.exit_code == 0);
+  CHECK(fs::exists(folder / "log.lammps"));
+  const Frames frames = read_dump(folder / "frames.lammpstrj");
+  CHECK(frames.rbegin()->first == io::read_scene(scene).steps());
+
+  SECTION("Results are kept") {
+    const Run again = mpirun(2, command);
+    INFO(again.said);
+    CHECK(again.exit_code == 2);
+    // Said by one of the ranks.
+    const std::size_t at = again.said.find("found results of an earlier run; expected --overwrite");
+    REQUIRE(at != std::string::npos);
+    CHECK(again.said.find("found results of an earlier run", at + 1) == std::string::npos);
+  }
+  SECTION("One rank needs no mpirun") {
+    const fs::path said = temporary("alone.txt");
+    REQUIRE(std::system((command + " --overwrite >" + said.string() + " 2>&1").c_str()) == 0);
+    CHECK(largest_difference(frames, read_dump(folder / "frames.lammpstrj")) < 1e-10);
+  }
+  SECTION("A scene that is none is said once") {
+    const Run bad =
+        mpirun(2, std::string(OSCULATE_PROGRAM) + " run " + (folder / "none.toml").string() + " --engine lammps");
+    INFO(bad.said);
+    CHECK(bad.exit_code == 2);
+    CHECK(bad.said.find("none.toml") != std::string::npos);
+  }
+  fs::remove(scene);
+}
+
+TEST_CASE("Falling boxes meet alike on both engines: single contacts to 1e-10, bulk results within statistical error") {
+  const fs::path scene = written("falling.toml", falling);
+  const std::string said = run_program(2, scene.string() + " --validate --beginnings 5");
+  INFO(said);
+  CHECK(said.find("Verdict: they agree") != std::string::npos);
+  CHECK(said.find("THEY DISAGREE") == std::string::npos);
+  fs::remove(scene);
 }
 
 }  // namespace osculate::lammps

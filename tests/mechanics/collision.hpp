@@ -34,9 +34,17 @@ inline osculate::Impact collide(std::function<double(double, double)> force, dou
     gsl_odeiv2_driver_reset_hstart(driver, std::fmin(1e-6, 0.1 * step));
     if (gsl_odeiv2_driver_apply(driver, &t, t + step, y) != GSL_SUCCESS) break;
     if (before[1] > 0.0 && y[1] <= 0.0) {
-      // The turn, by the parabola through the step.
-      const double decelerated = before[1] - y[1];
-      largest = before[0] + 0.5 * step * before[1] * before[1] / decelerated;
+      // The turn: the step's part after which the speed is zero, by halving.
+      double low = 0.0, high = t - t_before;
+      for (int halving = 0; halving < 40; ++halving) {
+        const double middle = 0.5 * (low + high);
+        double now = t_before, z[2] = {before[0], before[1]};
+        gsl_odeiv2_driver_reset(driver);
+        gsl_odeiv2_driver_reset_hstart(driver, std::fmin(1e-6, 0.1 * middle));
+        if (gsl_odeiv2_driver_apply(driver, &now, t_before + middle, z) != GSL_SUCCESS) break;
+        (z[1] > 0.0 ? low : high) = middle;
+        largest = z[0];
+      }
     }
     if (parted(y[0] * speed * duration, y[1] * speed)) {
       t = t_before, y[0] = before[0], y[1] = before[1];

@@ -19,7 +19,7 @@ TEST_CASE("A Hertz impact is what its equation of motion says") {
   const Impact integrated = collide([&](double d, double) { return d > 0 ? k * d * std::sqrt(d) : 0.0; }, pair.mass,
                                     1.0, closed.duration, [](double d, double) { return d < 0; });
   REQUIRE(closed.duration == Approx(integrated.duration).epsilon(1e-8));
-  REQUIRE(closed.largest_overlap == Approx(integrated.largest_overlap).epsilon(1e-6));  // parabola at the turn
+  REQUIRE(closed.largest_overlap == Approx(integrated.largest_overlap).epsilon(1e-8));
   REQUIRE(integrated.restitution == Approx(1.0).epsilon(1e-9));
 }
 

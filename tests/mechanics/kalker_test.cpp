@@ -166,6 +166,46 @@ TEST_CASE("Errata (86)-(88): forces go with the area, not with its square") {
   CHECK(force.longitudinal == Approx(-a * b * G * 4.0 * 1e-3));
 }
 
+TEST_CASE("Creep forces end on the surface of sliding, and sliding is where they take most") {
+  const kalker::Limit limit{.force = 3.0, .moment = 2e-3};
+  const auto asked = [&](const kalker::Force& force) {
+    return std::pow(std::hypot(force.longitudinal, force.lateral) / limit.force, 2) +
+           std::pow(force.moment / limit.moment, 2);
+  };
+  const kalker::Force small{.longitudinal = 1.0, .lateral = -2.0, .moment = 1e-3};
+  const auto same = kalker::limited(small, limit);
+  CHECK(same.longitudinal == small.longitudinal);
+  CHECK(same.lateral == small.lateral);
+  CHECK(same.moment == small.moment);
+  for (const double factor : {2.0, 1e3, 1e300}) {
+    const auto cut = kalker::limited({factor, -2.0 * factor, 1e-3 * factor}, limit);
+    CHECK(asked(cut) == Approx(1.0).epsilon(1e-14));
+    CHECK(cut.lateral == Approx(-2.0 * cut.longitudinal).epsilon(1e-14));
+    CHECK(cut.moment == Approx(1e-3 * cut.longitudinal).epsilon(1e-14));
+  }
+  const auto none = kalker::limited(small, {.force = 0.0, .moment = 0.0});
+  CHECK(none.longitudinal == 0.0);
+  CHECK(none.moment == 0.0);
+
+  CHECK(kalker::sliding(5.0, 0.0, 0.0, limit).longitudinal == -limit.force);
+  CHECK(kalker::sliding(0.0, 0.0, -1e-9, limit).moment == limit.moment);
+  CHECK(kalker::sliding(0.0, 0.0, 0.0, limit).lateral == 0.0);
+  // Over all forces on the surface the one of sliding takes the largest power from the motion.
+  const double x = 0.02, y = -0.01, spin = 40.0;
+  const auto power = [&](const kalker::Force& force) {
+    return -(force.longitudinal * x + force.lateral * y + force.moment * spin);
+  };
+  const auto best = kalker::sliding(x, y, spin, limit);
+  CHECK(asked(best) == Approx(1.0).epsilon(1e-14));
+  for (double polar = 0.05; polar < M_PI; polar += 0.1)
+    for (double azimuth = 0.0; azimuth < 2.0 * M_PI; azimuth += 0.1) {
+      const kalker::Force other{.longitudinal = limit.force * std::sin(polar) * std::cos(azimuth),
+                                .lateral = limit.force * std::sin(polar) * std::sin(azimuth),
+                                .moment = limit.moment * std::cos(polar)};
+      REQUIRE(power(other) <= power(best) * (1.0 + 1e-14));
+    }
+}
+
 TEST_CASE("A ball rolling on a plane has the creepages of its speed and spin") {
   const double R = 0.02, V = 0.5;
   const Vec3 up = Vec3::UnitZ();

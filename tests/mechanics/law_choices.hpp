@@ -11,8 +11,6 @@ struct NamedChoice {
   osculate::LawChoice choice;
   /// Whether its energy is what the force is a derivative of: not so for a spring whose stiffness follows the overlap.
   bool conserves = true;
-  /// Whether it holds for creepage of any size.
-  bool bounded = true;
 };
 
 inline std::vector<NamedChoice> law_choices() {
@@ -57,6 +55,6 @@ inline std::vector<NamedChoice> law_choices() {
       {"rough, brilliantov, spring", {hertz, rough, brilliantov, spring}},
       {"plastic", {hertz, plastic}},
       {"plastic, spring, twisting", {hertz, plastic, spring, twisting}},
-      {"hertz, kalker", {hertz, {"kalker", {}}}, true, false},
+      {"hertz, kalker", {hertz, {"kalker", {{"friction", 0.3}}}}},
   };
 }

@@ -23,7 +23,7 @@ TEST_CASE("A linear spring and dashpot collide as their closed forms say, with a
       });
       REQUIRE(closed.duration == Approx(integrated.duration).epsilon(1e-8));
       REQUIRE(closed.restitution == Approx(integrated.restitution).epsilon(1e-8));
-      REQUIRE(closed.largest_overlap == Approx(integrated.largest_overlap).epsilon(1e-6));
+      REQUIRE(closed.largest_overlap == Approx(integrated.largest_overlap).epsilon(1e-8));
     }
   }
   REQUIRE(lsd::impact({k, 2.0 * std::sqrt(k * mass)}, mass, 1.0, Attraction::allowed).restitution == 0.0);

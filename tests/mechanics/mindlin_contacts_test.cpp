@@ -122,6 +122,38 @@ TEST_CASE("A memory moved to another lane goes on as if it had stayed") {
   }
 }
 
+TEST_CASE("A contact's force does not depend by a bit on the contacts beside it") {
+  const auto pair = mindlin::pair(glass, glass, friction, damping_time);
+  constexpr std::size_t size = 16;
+  Batch together(size);
+  std::vector<Batch> alone(size, Batch(1));
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::array<Vec3, size> drift;
+  drift.fill(Vec3::Zero());
+  for (int step = 0; step < 3000; ++step)
+    for (std::size_t i = 0; i <= size; ++i) {
+      if (i == size) {
+        together.run(pair);
+        for (std::size_t k = 0; k < size; ++k) {
+          alone[k].run(pair);
+          CAPTURE(step, k);
+          for (std::size_t c = 0; c < 3; ++c) REQUIRE(together.out[c][k] == alone[k].out[c][0]);
+        }
+        break;
+      }
+      // Paths that wind more or less, so that some springs are full of corners while others are straight.
+      const double winding = 0.3 * static_cast<double>(i) / size;
+      drift[i] = 0.95 * drift[i] + winding * Vec3(uniform(random), uniform(random), 0.0);
+      const Vec3 moved = 2e-9 * (drift[i] + Vec3(std::sin(0.01 * step), 0.0, 0.0));
+      const double overlap = 1e-6 * (1.0 + 0.3 * std::sin(0.003 * step * static_cast<double>(1 + i)));
+      const std::array<double, 14> row{2e-3, 1e-3, overlap, 0,         0,         0, 1,
+                                       1,    0,    0,       moved.x(), moved.y(), 0, 1e-3 * winding};
+      together.set(i, row);
+      alone[i].set(0, row);
+    }
+}
+
 TEST_CASE("Bad numbers in the contacts of a step are said, give no force and leave the memory alone") {
   const auto pair = mindlin::pair(glass, glass, friction, damping_time);
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();

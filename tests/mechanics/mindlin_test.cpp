@@ -7,27 +7,15 @@
 #include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
-#include "osculate/mechanics/elliptic_integrals.hpp"
 #include "osculate/mechanics/hertz.hpp"
 
 namespace mindlin = osculate::mindlin;
-using osculate::ContactEllipse;
 using osculate::ElasticMaterial;
 
 namespace {
 
 const ElasticMaterial steel{.youngs_modulus = 210e9, .poissons_ratio = 0.29};
 const ElasticMaterial rubber{.youngs_modulus = 4e6, .poissons_ratio = 0.49};
-
-ContactEllipse ellipse_of(double e2) {
-  const auto integrals = osculate::complete_elliptic(1.0 - e2);
-  return {.R_c = 1.0,
-          .axis_ratio = std::sqrt(1.0 - e2),
-          .e2 = e2,
-          .K = integrals.K,
-          .E = integrals.E,
-          .ratio_limited = false};
-}
 
 /// Displacement of the half-space's surface inside the ellipse (uniform) under q = (1 − x²/a² − y²/b²)^{−1/2} along x
 /// or y, by Cerruti's kernel in polar coordinates about the point: every chord integrates to π/√A.

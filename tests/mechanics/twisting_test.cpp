@@ -4,30 +4,19 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "mechanics/gsl_quadrature.hpp"
 #include "mechanics/reference.hpp"
 #include "osculate/core/error.hpp"
-#include "osculate/mechanics/elliptic_integrals.hpp"
 
 namespace twisting = osculate::twisting;
-using osculate::ContactEllipse;
 using osculate::ElasticMaterial;
 
 namespace {
 
 const ElasticMaterial glass{.youngs_modulus = 71e9, .poissons_ratio = 0.22};
 const ElasticMaterial steel{.youngs_modulus = 210e9, .poissons_ratio = 0.29};
-
-ContactEllipse ellipse_of(double e2) {
-  const auto integrals = osculate::complete_elliptic(1.0 - e2);
-  return {.R_c = 1.0,
-          .axis_ratio = std::sqrt(1.0 - e2),
-          .e2 = e2,
-          .K = integrals.K,
-          .E = integrals.E,
-          .ratio_limited = false};
-}
 
 }  // namespace
 
@@ -69,6 +58,25 @@ TEST_CASE("The limit of the moment is the integral of friction times radius over
   }
   CHECK(twisting::limit(ellipse_of(0.0), a, friction, force) ==
         Approx(3.0 * M_PI / 16.0 * friction * force * a).epsilon(1e-15));
+}
+
+TEST_CASE("A batch of twisted contacts has the stiffness and the limit of single ones") {
+  const std::size_t size = 21;
+  std::vector<double> a_c(size), ratio(size), stiffness(size), arm(size);
+  for (std::size_t i = 0; i < size; ++i) a_c[i] = 1e-6 * static_cast<double>(i * i), ratio[i] = std::pow(0.7, i);
+  twisting::contacts(glass, steel, {a_c, ratio}, {stiffness, arm});
+  CHECK(stiffness[0] == 0.0);
+  CHECK(arm[0] == 0.0);
+  for (std::size_t i = 1; i < size; ++i) {
+    const auto ellipse = ellipse_of((1.0 - ratio[i]) * (1.0 + ratio[i]));
+    // 1 − (1 − m1) has lost digits of m1, on which the integrals depend by its logarithm.
+    const double tolerance = 1e-15 / (ratio[i] * ratio[i]) + 1e-13;
+    CHECK(stiffness[i] == Approx(1.0 / twisting::compliance(ellipse, a_c[i], glass, steel)).epsilon(tolerance));
+    CHECK(arm[i] == Approx(twisting::limit(ellipse, a_c[i], 1.0, 1.0)).epsilon(tolerance));
+  }
+  const ElasticMaterial incompressible{.youngs_modulus = 1e6, .poissons_ratio = 0.5};
+  CHECK_THROWS_AS(twisting::contacts(glass, incompressible, {}, {}), osculate::InputError);
+  CHECK_THROWS_AS(twisting::contacts(glass, steel, {a_c, ratio}, {stiffness, {}}), osculate::InputError);
 }
 
 TEST_CASE("A twisted contact is elastic, then spins at the limit, and remembers") {

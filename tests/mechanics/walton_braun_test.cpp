@@ -27,7 +27,7 @@ TEST_CASE("A hysteretic spring collides as its closed forms say") {
                                    [&](double d, double rate) { return rate < 0 && force(d, rate) < 0; });
     REQUIRE(closed.duration == Approx(witness.duration).epsilon(1e-6));
     REQUIRE(closed.restitution == Approx(witness.restitution).epsilon(1e-6));
-    REQUIRE(closed.largest_overlap == Approx(witness.largest_overlap).epsilon(1e-5));
+    REQUIRE(closed.largest_overlap == Approx(witness.largest_overlap).epsilon(1e-6));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "validation/kildashti2023/coverage.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <sstream>
@@ -25,8 +26,16 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 bool is_comment(const std::string& line) {
-  const std::size_t start = line.find_first_not_of(' ');
-  return start != std::string::npos && line.compare(start, 2, "//") == 0;
+  static const std::regex opens(R"( *(//|/\*|\*).*)");
+  return std::regex_match(line, opens);
+}
+
+/// The public headers, those for C++ and the one for C.
+std::vector<std::filesystem::path> public_headers() {
+  auto headers = source_files("include", ".hpp");
+  const auto for_c = source_files("include", ".h");
+  headers.insert(headers.end(), for_c.begin(), for_c.end());
+  return headers;
 }
 
 /// Numbers in the keys of a comment: "[KDY23 (5)–(7),(9); Moes00]" has 5, 6, 7, 9.
@@ -45,13 +54,13 @@ std::vector<int> equations_in(const std::string& comment) {
 
 std::multimap<int, Place> keys_in_headers() {
   std::multimap<int, Place> keys;
-  for (const auto& path : source_files("include", ".hpp")) {
+  for (const auto& path : public_headers()) {
     const auto lines = lines_of(file_content(path));
     for (std::size_t i = 0; i < lines.size();) {
       Place place{path.filename().string(), {}, {}};
       if (!is_comment(lines[i])) {
         // A comment behind a member is about that member, and may go on in the lines below.
-        const std::size_t behind = lines[i].find("///<");
+        const std::size_t behind = std::min(lines[i].find("///<"), lines[i].find("/**<"));
         if (behind == std::string::npos) {
           ++i;
           continue;

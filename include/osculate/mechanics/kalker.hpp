@@ -90,4 +90,18 @@ struct Force {
 Force linear_force(const Coefficients& coefficients, double shear_modulus, double a_c, double b_c,
                    const Creepage& creepage);
 
+/// What friction can give: μF_n in the plane [N], and about the normal the moment of spinning in place [N m], both ≥ 0.
+struct Limit {
+  double force;
+  double moment;
+};
+
+/// A force that asks for more than friction gives is scaled, moment and all, onto the surface of sliding,
+/// (|F|/F_max)² + (M/M_max)² = 1 [HC96]: it still takes energy from the motion. One within is left as it is.
+Force limited(const Force& force, const Limit& limit);
+
+/// Sliding without rolling: the force on that surface which takes most from the slip v_1 − v_2 and the spin
+/// (ω_1 − ω_2)·z, zero when both are.
+Force sliding(double longitudinal_slip, double lateral_slip, double spin, const Limit& limit);
+
 }  // namespace osculate::kalker

@@ -1,6 +1,8 @@
 #pragma once
 // Twisting: two bodies in elliptical Hertz contact rotate against each other about their common normal.
 
+#include <span>
+
 #include "osculate/mechanics/contact_ellipse.hpp"
 #include "osculate/mechanics/material.hpp"
 
@@ -27,6 +29,19 @@ struct Contact {
 /// Throws as `compliance` and `limit`.
 Contact contact(const ContactEllipse& ellipse, double a_c, const ElasticMaterial& material_1,
                 const ElasticMaterial& material_2, double friction, double normal_force);
+
+/// Many contacts of one pair of materials, each zero or more long.
+struct BatchInput {
+  std::span<const double> a_c;         ///< ≥ 0, finite [m]
+  std::span<const double> axis_ratio;  ///< b_c/a_c in (0, 1]
+};
+struct BatchOutput {
+  std::span<double> stiffness;  ///< 1/compliance [N m/rad]
+  std::span<double> arm;        ///< `limit` over μF_n [m]
+};
+/// Throws InputError unless −1 < ν < 0.5 and all columns are of one length.
+void contacts(const ElasticMaterial& material_1, const ElasticMaterial& material_2, const BatchInput& input,
+              const BatchOutput& output);
 
 /// What a contact remembers. A zero-initialised one is a contact not yet made. Trivially copyable.
 struct Memory {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace osculate::laws {
 namespace {
@@ -84,10 +85,7 @@ Contact nothing() {
   return contact;
 }
 
-}  // namespace
-
-ContactLaw composed(const std::vector<BoundPart>& parts) {
-  ContactLaw::Traits traits;
+void add_to(ContactLaw::Traits& traits, const std::vector<BoundPart>& parts) {
   for (const auto& [part, memory] : parts) {
     traits.memory_size += memory;
     traits.needs.angular_velocity |= part.needs.angular_velocity;
@@ -97,6 +95,74 @@ ContactLaw composed(const std::vector<BoundPart>& parts) {
     traits.makes_couples |= part.makes_couples;
     if (part.range) traits.range = part.range;
   }
+}
+
+/// What the parts that follow a law in batches add to its answer.
+void add(const Contact& contact, const LawOutput& output, std::size_t i) {
+  const Vec3 force = contact.force.x * contact.major + contact.force.y * contact.minor;
+  output.force.x[i] += force.x(), output.force.y[i] += force.y(), output.force.z[i] += force.z();
+  put(contact.couple, output.couple, i);
+  const auto more = [i](double value, std::span<double> column) {
+    if (!column.empty()) column[i] += value;
+  };
+  more(contact.stored_tangential, output.stored_tangential);
+  more(contact.friction_loss, output.friction_loss);
+}
+
+}  // namespace
+
+ContactLaw followed(const ContactLaw& first, const std::vector<BoundPart>& parts) {
+  ContactLaw::Traits traits{.memory_size = first.memory_size(), .needs = first.needs()};
+  add_to(traits, parts);
+  const auto evaluation = [first, parts, needs = traits.needs, size = traits.memory_size](
+                              const LawInput& input, double* memory, const LawOutput& output) {
+    std::array<double, law_lanes> overlap, a_c, axis_ratio;
+    std::array<Contact, law_lanes> contacts;
+    std::array<Memory, law_lanes> memories;
+    std::array<std::size_t, law_lanes> place;
+    // One block of memory at a time: the first law's entries are the block's first.
+    for (std::size_t start = 0; start < input.R_i.size(); start += law_lanes) {
+      const std::size_t size_here = std::min(law_lanes, input.R_i.size() - start);
+      LawInput in = input.part(start, size_here);
+      LawOutput out = output.part(start, size_here);
+      if (out.a_c.empty()) out.a_c = std::span(a_c).first(size_here);
+      if (out.axis_ratio.empty()) out.axis_ratio = std::span(axis_ratio).first(size_here);
+      for (std::size_t i = 0; i < size_here; ++i) {
+        contacts[i] = contact_at(in, i);
+        // What is unsound to those that follow must be so to the first, which else would remember it.
+        overlap[i] = is_sound(contacts[i], in, i, needs) ? in.overlap[i] : std::numeric_limits<double>::quiet_NaN();
+      }
+      in.overlap = std::span<const double>(overlap).first(size_here);
+      double* block = memory + start * size;
+      first.evaluate(in, {block, first.memory_size() * law_lanes}, out);
+
+      std::size_t count = 0;  // of sound ones
+      for (std::size_t i = 0; i < size_here; ++i) {
+        if (out.status[i] == LawStatus::bad_input) {
+          put(Vec3(Vec3::Zero()), out.couple, i);
+          continue;
+        }
+        Contact& contact = contacts[count] = contacts[i];
+        contact.closed = out.status[i] != LawStatus::open;
+        contact.a_c = out.a_c[i], contact.axis_ratio = out.axis_ratio[i];
+        contact.friction_load = out.normal_force[i];  // the dashpot's share is in it
+        place[count++] = i;
+      }
+      std::size_t entry = first.memory_size();
+      for (const auto& [part, length] : parts) {
+        for (std::size_t k = 0; k < count; ++k) memories[k] = Memory(block + entry * law_lanes + place[k]);
+        part.step(std::span(contacts).first(count), std::span<const Memory>(memories).first(count));
+        entry += length;
+      }
+      for (std::size_t k = 0; k < count; ++k) add(contacts[k], out, place[k]);
+    }
+  };
+  return {traits, evaluation};
+}
+
+ContactLaw composed(const std::vector<BoundPart>& parts) {
+  ContactLaw::Traits traits;
+  add_to(traits, parts);
   const auto evaluation = [parts, needs = traits.needs, size = traits.memory_size](
                               const LawInput& input, double* memory, const LawOutput& output) {
     std::array<Contact, stretch> contacts;

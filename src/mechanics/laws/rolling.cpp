@@ -5,12 +5,13 @@
 
 #include "mechanics/laws/elastic.hpp"
 #include "mechanics/laws/laws.hpp"
+#include "osculate/mechanics/twisting.hpp"
 #include "osculate/mechanics/vermeulen_johnson.hpp"
 
 namespace osculate::laws {
 namespace {
 
-constexpr std::array vermeulen_johnson_parameters{friction_parameter};
+constexpr std::array parameters{friction_parameter};
 constexpr std::array conflicts{
     LawConflict{"tangential", "a rolling law is the friction of the contact, from creepage instead of displacement"}};
 
@@ -36,10 +37,6 @@ Rolling rolling_of(const Contact& contact) {
            .spin = -contact.angular_velocity.dot(contact.normal)}};
 }
 
-kalker::Creepage over(const kalker::Creepage& slip, double speed) {
-  return {slip.longitudinal / speed, slip.lateral / speed, slip.spin / speed};
-}
-
 void act(Contact& contact, const Rolling& rolling, const kalker::Force& force) {
   const TangentVector y{-rolling.direction.y, rolling.direction.x};
   contact.force = contact.force + force.longitudinal * rolling.direction + force.lateral * y;
@@ -49,55 +46,45 @@ void act(Contact& contact, const Rolling& rolling, const kalker::Force& force) {
       contact.time_step;
 }
 
-/// What both laws know of a pair of materials.
-struct Pair {
-  kalker::Composite composite;
-  kalker::Table table;
-};
+/// Below this share of the slip the contact slides more than it rolls, and creepage says nothing.
+constexpr double slowest_rolling = 1e-9;
 
-Pair pair_of(const Binding& binding) {
+/// `creep_force` of a rolling contact and its creepage, within what friction can give.
+template <class CreepForce>
+Part rolling_part(const Binding& binding, const CreepForce& creep_force) {
   const auto composite = kalker::composite(binding.material_1, binding.material_2);
-  return {composite, kalker::table(composite.poissons_ratio)};
+  const auto step = [creep_force, friction = binding["friction"], G = composite.shear_modulus,
+                     table = kalker::table(composite.poissons_ratio)](Contact& contact, Memory) {
+    const double load = friction_load(contact);
+    if (!contact.closed || !(contact.a_c > 0.0) || !(friction * load > 0.0)) return;
+    const kalker::Limit limit{.force = friction * load,
+                              .moment = twisting::limit(contact.ellipse(), contact.a_c, friction, load)};
+    const Rolling rolling = rolling_of(contact);
+    const auto& [along, across, spin] = rolling.slip;
+    const double slip = norm(contact.velocity) + contact.a_c * std::fabs(spin);
+    if (!(rolling.speed > slowest_rolling * slip)) {
+      act(contact, rolling, kalker::sliding(along, across, spin, limit));
+      return;
+    }
+    const double angle = std::atan2(rolling.direction.y, rolling.direction.x);
+    const auto coefficients = kalker::coefficients(table, kalker::axes_along_rolling(contact.axis_ratio, angle));
+    const auto patch =
+        vermeulen_johnson::contact(coefficients, G, contact.a_c, contact.a_c * contact.axis_ratio, friction, load);
+    const kalker::Force force =
+        creep_force(patch, {along / rolling.speed, across / rolling.speed, spin / rolling.speed});
+    act(contact, rolling, kalker::limited(force, limit));
+  };
+  return {.step = step, .needs = {.angular_velocity = true}, .makes_couples = true};
 }
 
-kalker::Coefficients coefficients_of(const Pair& pair, const Contact& contact, const Rolling& rolling) {
-  const double angle = std::atan2(rolling.direction.y, rolling.direction.x);
-  return kalker::coefficients(pair.table, kalker::axes_along_rolling(contact.axis_ratio, angle));
+Part bind_vermeulen_johnson(const Binding& binding) {
+  return rolling_part(binding, vermeulen_johnson::force);
 }
 
 Part bind_kalker(const Binding& binding) {
-  const auto step = [pair = pair_of(binding)](Contact& contact, Memory) {
-    if (!contact.closed || !(contact.a_c > 0.0)) return;
-    const Rolling rolling = rolling_of(contact);
-    if (!(rolling.speed > 0.0)) return;
-    act(contact, rolling,
-        kalker::linear_force(coefficients_of(pair, contact, rolling), pair.composite.shear_modulus, contact.a_c,
-                             contact.a_c * contact.axis_ratio, over(rolling.slip, rolling.speed)));
-  };
-  return {.step = step, .needs = {.angular_velocity = true}, .makes_couples = true};
-}
-
-/// Beyond this share of slip in the rolling the contact slides.
-constexpr double slowest_rolling = 1e-9;
-
-Part bind_vermeulen_johnson(const Binding& binding) {
-  const auto step = [pair = pair_of(binding), friction = binding["friction"]](Contact& contact, Memory) {
-    const double load = friction_load(contact);
-    if (!contact.closed || !(contact.a_c > 0.0) || !(friction * load > 0.0)) return;
-    const Rolling rolling = rolling_of(contact);
-    const double slip = norm(contact.velocity);
-    if (!(rolling.speed > slowest_rolling * slip)) {
-      if (slip > 0.0) {
-        contact.force = (friction * load / slip) * contact.velocity;
-        contact.friction_loss += dot(contact.force, contact.displacement());
-      }
-      return;
-    }
-    const auto patch = vermeulen_johnson::contact(coefficients_of(pair, contact, rolling), pair.composite.shear_modulus,
-                                                  contact.a_c, contact.a_c * contact.axis_ratio, friction, load);
-    act(contact, rolling, vermeulen_johnson::force(patch, over(rolling.slip, rolling.speed)));
-  };
-  return {.step = step, .needs = {.angular_velocity = true}, .makes_couples = true};
+  return rolling_part(binding, [](const vermeulen_johnson::Contact& patch, const kalker::Creepage& creepage) {
+    return kalker::linear_force(patch.coefficients, patch.shear_modulus, patch.a_c, patch.b_c, creepage);
+  });
 }
 
 }  // namespace
@@ -107,8 +94,8 @@ const Law vermeulen_johnson{{.name = "vermeulen_johnson",
                              .title = "Creep forces from small creepage to sliding, with Kalker's coefficients",
                              .formula = "|F| = μ F_n [1 − (1 − τ)³], τ = |F_linear|/(3 μ F_n)",
                              .equations = "(92),(93)",
-                             .source = "VJ64, SHE83, Kalker90",
-                             .parameters = vermeulen_johnson_parameters,
+                             .source = "VJ64, SHE83, Kalker90, HC96",
+                             .parameters = parameters,
                              .memory = 0,
                              .conflicts = conflicts},
                             bind_vermeulen_johnson};
@@ -116,11 +103,11 @@ const Law vermeulen_johnson{{.name = "vermeulen_johnson",
 const Law kalker{
     {.name = "kalker",
      .slot = LawSlot::rolling,
-     .title = "Linear creep forces without slip: small creepage only, and none at rest",
+     .title = "Linear creep forces, cut off where the contact slides",
      .formula = "F_x = −c² G C11 ξ_x, F_y = −c² G C22 ξ_y − c³ G C23 ξ_sp, M = c³ G C23 ξ_y − c⁴ G C33 ξ_sp",
      .equations = "(86)-(91)",
-     .source = "Kalker90",
-     .parameters = {},
+     .source = "Kalker90, HC96",
+     .parameters = parameters,
      .memory = 0,
      .conflicts = conflicts},
     bind_kalker};

@@ -80,15 +80,15 @@ Figure figure6() {
   Figure figure;
   figure.caption =
       "Equilibrium of elliptical JKR contacts (19)–(28), R = √(R_i R_j), in units of force 3πRW, length "
-      "(9πWR²/(4Ê))^{1/3} and overlap length²/R. Dotted: states that no contact can hold, beyond snap-off, where the "
+      "l = (9πWR²/(4Ê))^{1/3} and overlap l²/R. Dotted: states that no contact can hold, beyond snap-off, where the "
       "overlap is least. Lower right: the pull-off force, −½ for a circle. Inferred: the quantities and the ratios; 44 "
-      "is "
-      "that of cases 1 and 2.";
-  figure.plot = {.title = "Fig. 6   Elliptical contact with adhesion",
-                 .panels = {panel("Force and overlap", {.label = "overlap δ"}, overlap, force_axis, force),
-                            panel("Size of the contact", force_axis, force, {.label = "(a_{c} b_{c})^{½}"}, size),
-                            panel("Shape of the contact", force_axis, force, {.label = "axis ratio g = b_{c}/a_{c}"},
-                                  axis_ratio)}};
+      "is that of cases 1 and 2.";
+  figure.plot = {
+      .title = "Fig. 6   Elliptical contact with adhesion",
+      .panels = {
+          panel("Force and overlap", {.label = "overlap δ R/l^{2}"}, overlap, force_axis, force),
+          panel("Size of the contact", force_axis, force, {.label = "size (a_{c} b_{c})^{½}/l"}, size),
+          panel("Shape of the contact", force_axis, force, {.label = "axis ratio g = b_{c}/a_{c}"}, axis_ratio)}};
   figure.plot.panels[0].y.range = io::PlotRange{-0.6, 1.0};
   figure.plot.panels[0].x.range = io::PlotRange{-1.2, 1.6};
   figure.plot.panels[1].x.range = figure.plot.panels[2].x.range = io::PlotRange{-0.6, 1.0};
