@@ -140,6 +140,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_lammps(MPI_Comm ranks, std::vector<std:
 
 void build_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene) {
   const Setup& setup = scene.setup;
+  require_supported(setup);
   const std::vector<AtomKind> kinds = kinds_of(setup);
   make_box(lmp, make_world(setup), kinds.size());
   make_atoms(lmp, setup, kinds);
