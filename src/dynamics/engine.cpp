@@ -62,6 +62,11 @@ Simulation::Engine::Engine(const Setup& setup)
 void Simulation::Engine::make_room() {
   poured_.resize(world_.setup.pours.size());
   scratch_.resize(static_cast<std::size_t>(threads_.count()));
+  double largest = 0.0, reach = 0.0;
+  for (const BodyShape& shape : world_.shapes)
+    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
+  for (const double one : world_.reach) reach = std::max(reach, one);
+  flow_reach_ = 2.0 * (largest + world_.skin) + reach;
   for (std::size_t i = 0; i < bodies_.size(); ++i) make_room_for(i);
 }
 
@@ -126,13 +131,29 @@ double Simulation::Engine::image_power() const {
   return power;
 }
 
+/// The mean velocity in a sheared box. What bodies and images do beyond it decides how near two of them can come: those
+/// that are far apart along the gradient cannot touch, whatever the flow does between them.
+Vec3 Simulation::Engine::flow_at(const Vec3& position) const {
+  return image_velocity(world_.box, position - world_.box.origin - 0.5 * world_.box.length);
+}
+
+/// How far the flow moves two bodies of a pair against each other in a time, at most.
+double Simulation::Engine::flow_way(double time) const {
+  return world_.box.shear ? std::fabs(world_.box.shear->rate) * flow_reach_ * time : 0.0;
+}
+
 /// Spheres around bodies were listed with a skin between them. What turns in its sphere does not matter.
 bool Simulation::Engine::list_is_stale() const {
-  const double most = 0.5 * (world_.skin - image_travel_);
+  const double elapsed = static_cast<double>(steps_ - listed_step_) * world_.setup.time_step;
+  const double most = 0.5 * (world_.skin - flow_way(elapsed));
   if (!(most > 0.0)) return true;
   double furthest = 0.0;
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_.is_free(i)) furthest = std::max(furthest, (bodies_.position[i] - listed_at_[i]).squaredNorm());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_.is_free(i)) continue;
+    Vec3 way = bodies_.position[i] - listed_at_[i];
+    if (world_.box.shear) way -= elapsed * flow_at(listed_at_[i]);
+    furthest = std::max(furthest, way.squaredNorm());
+  }
   if (furthest > most * most) return true;
   return std::any_of(driven_.begin(), driven_.end(),
                      [&](const Driven& driven) { return kinematics_.travel[driven.body] > most; });
@@ -145,15 +166,16 @@ void Simulation::Engine::move() {
     move_bodies(step, begin, end, bodies_, kinematics_, radius_, step_travel_);
   });
   for (Driven& driven : driven_) move_driven(driven);
-  double image_way = 0.0;
-  if (const auto& shear = world_.box.shear) {
-    world_.box = at_time(world_.setup.box, static_cast<double>(steps_ + 1) * step.time_step);
-    image_way = std::fabs(shear->rate) * world_.box.length[shear->gradient] * step.time_step;
-    image_travel_ += image_way;
-  }
+  const bool sheared = world_.box.shear.has_value();
+  if (sheared) world_.box = at_time(world_.setup.box, static_cast<double>(steps_ + 1) * step.time_step);
   const double most = 0.5 * world_.least_half_width;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const double way = step_travel_[i] + 0.5 * image_way;  // two bodies share what an image moves
+    const double way = step_travel_[i];
+    if (sheared) {
+      const Vec3& velocity = bodies_.velocity[i];
+      kinematics_.travel[i] += 0.5 * flow_way(step.time_step) +
+                               step.time_step * ((velocity - flow_at(bodies_.position[i])).norm() - velocity.norm());
+    }
     kinematics_.travel[i] += way;
     if (way <= most) continue;  // false for NaN too
     ++steps_;
@@ -223,7 +245,7 @@ void Simulation::Engine::rebuild() {
   pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
-  image_travel_ = 0.0;
+  listed_step_ = steps_;
 }
 
 void Simulation::Engine::evaluate_pairs() {

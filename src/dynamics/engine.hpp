@@ -46,6 +46,8 @@ class Simulation::Engine {
   void wrap(std::size_t body);
   void evaluate_pairs();
   double image_power() const;
+  Vec3 flow_at(const Vec3& position) const;
+  double flow_way(double time) const;
   void gather(double kick_time);
   void gather_body(std::size_t i, double kick_time);
   bool list_is_stale() const;
@@ -66,11 +68,12 @@ class Simulation::Engine {
   std::vector<Vec3> listed_at_;      ///< where each body was when the pairs were listed [m]
   double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]
   Vec3 centre_ = Vec3::Zero();
-  double driven_work_ = 0.0;      ///< [J]
-  double image_power_ = 0.0;      ///< of forces through the faces of a sheared box [W]
-  double image_travel_ = 0.0;     ///< of its images since the pairs were listed [m]
-  double poured_energy_ = 0.0;    ///< [J]
-  double gravity_wrapped_ = 0.0;  ///< gravity's energy that wrapping positions took away [J]
+  double driven_work_ = 0.0;       ///< [J]
+  double image_power_ = 0.0;       ///< of forces through the faces of a sheared box [W]
+  double flow_reach_ = 0.0;        ///< no two bodies of a listed pair are further apart than this [m]
+  std::uint64_t listed_step_ = 0;  ///< when the pairs were listed
+  double poured_energy_ = 0.0;     ///< [J]
+  double gravity_wrapped_ = 0.0;   ///< gravity's energy that wrapping positions took away [J]
   std::uint64_t steps_ = 0, rebuilds_ = 0;
   Threads threads_;
   std::vector<ChunkScratch> scratch_;  ///< one a thread

@@ -257,7 +257,7 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.value("poured_energy", self.poured_energy_);
   visitor.value("gravity_wrapped", self.gravity_wrapped_);
   visitor.value("image_power", self.image_power_);
-  visitor.value("image_travel", self.image_travel_);
+  visitor.value("listed_step", self.listed_step_);
   visitor.value("steps", self.steps_);
   visitor.value("rebuilds", self.rebuilds_);
   visitor.value("losses.viscous", self.pairs_.viscous_loss);

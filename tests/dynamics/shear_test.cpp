@@ -8,6 +8,7 @@
 #include "dynamics/scenes.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/dynamics/measures.hpp"
+#include "osculate/geometry/common_normal.hpp"
 
 using namespace osculate;
 
@@ -187,6 +188,33 @@ TEST_CASE("The moving images' work is in the ledger, and the stress times the sh
   CHECK(energy.lost() > 0.2 * work);
   CHECK(std::fabs(energy.balance() - before) < 2e-3 * energy.lost());
   CHECK(fed() - at_first == Approx(work).epsilon(0.01));
+}
+
+TEST_CASE("No contact is missed while the flow carries particles past each other") {
+  Simulation simulation(sheared_gas(damped_frictional_law(), 1e-5, 80.0));
+  const Bodies& bodies = simulation.bodies();
+  const auto shape = [&](std::size_t i) {
+    return simulation.setup().shapes[static_cast<std::size_t>(bodies.shape[i])];
+  };
+  std::uint64_t seen = 0;
+  for (int look = 0; look < 60; ++look) {
+    simulation.advance(37);
+    std::uint64_t touching = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+        const Vec3 apart = bodies.position[j] - bodies.position[i];
+        const Vec3 shift = nearest_image_shift(simulation.box(), apart);
+        if ((apart + shift).norm() > 1.2e-2) continue;
+        Pose other = bodies.pose(j);
+        other.position += shift;
+        touching += common_normal(shape(i), bodies.pose(i), shape(j), other).overlap > 0.0 ? 1 : 0;
+      }
+    REQUIRE(simulation.counts().contacts == touching);
+    seen += touching;
+  }
+  CHECK(seen > 20);
+  CHECK(simulation.counts().rebuilds > 10);
+  CHECK(simulation.counts().rebuilds < 60 * 37 / 4);
 }
 
 TEST_CASE("A sheared box gives the same bits with any number of threads and after a restart") {
