@@ -12,6 +12,15 @@
 
 namespace osculate::lammps {
 
+void require_supported(const Setup& setup) {
+  const auto refuse = [](bool has, const std::string& found, const std::string& expected) {
+    if (has) throw InputError("a scene on LAMMPS", found, expected + ", or the embedded engine");
+  };
+  refuse(!setup.pours.empty(), "a pour", "particles that are there from the start");
+  refuse(!setup.meshes.empty(), "a mesh", "walls of other kinds");
+  refuse(setup.box.shear.has_value(), "a sheared box", "a periodic box without shear");
+}
+
 std::vector<AtomKind> kinds_of(const Setup& setup) {
   std::set<std::pair<std::int32_t, std::int32_t>> found;
   for (const BodyStart& body : setup.bodies)
@@ -35,6 +44,7 @@ std::vector<AtomKind> kinds_by_name(const io::Scene& scene, const std::vector<st
 }
 
 RankBodies make_rank_bodies(Setup setup, const std::vector<AtomKind>& kinds) {
+  require_supported(setup);
   setup.box = {};  // images are LAMMPS's ghosts
   std::erase_if(setup.bodies, [](const BodyStart& body) { return body.motion == Bodies::free; });
   RankBodies rank;

@@ -18,6 +18,9 @@ struct AtomKind {
   std::int32_t material;  ///< index into Setup::materials
 };
 
+/// Throws InputError for what only the embedded engine does: pours, meshes, sheared boxes.
+void require_supported(const Setup& setup);
+
 /// The kinds that a setup's free bodies are of, in the order of their shapes.
 std::vector<AtomKind> kinds_of(const Setup& setup);
 

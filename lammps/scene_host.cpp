@@ -140,6 +140,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_lammps(MPI_Comm ranks, std::vector<std:
 
 void build_scene(LAMMPS_NS::LAMMPS& lmp, const io::Scene& scene) {
   const Setup& setup = scene.setup;
+  require_supported(setup);
   const std::vector<AtomKind> kinds = kinds_of(setup);
   make_box(lmp, make_world(setup), kinds.size());
   make_atoms(lmp, setup, kinds);
@@ -164,6 +165,8 @@ void run_scene(LAMMPS_NS::LAMMPS& lmp, const SceneOrders& orders) {
   command(lmp, fmt::format("dump frames all custom {} {}", orders.frame_every, frames));
   command(lmp, "dump_modify frames " + look);
   command(lmp, fmt::format("thermo {}", orders.row_every));
+  // Bodies fall and gather: ranks share them evenly, to a tenth.
+  command(lmp, "fix balance all balance 1000 1.1 shift xyz 5 1.05");
   command(lmp, fmt::format("run {}", orders.steps));
   command(lmp, "undump frames");
   // The end is a frame too.

@@ -42,6 +42,30 @@ void print_bodies(const io::Scene& scene, const Simulation& simulation) {
   fmt::print("\n{}", io::to_text(table));
 }
 
+/// The mean mass of a pour's particles [kg].
+double mean_mass(const Setup& setup, const Pour& pour) {
+  double mass = 0.0, weights = 0.0;
+  for (const Kind& kind : pour.kinds) {
+    mass += kind.weight * setup.materials[static_cast<std::size_t>(kind.material)].density *
+            mass_properties(setup.shapes[static_cast<std::size_t>(kind.shape)]).volume;
+    weights += kind.weight;
+  }
+  return mass / weights;
+}
+
+/// How many particles a pour brings in until the end of the run, on average.
+double poured_particles(const io::Scene& scene, const Pour& pour) {
+  const double amount = due(pour, scene.duration);
+  return std::min(pour.measure == Pour::Measure::mass ? std::floor(amount / mean_mass(scene.setup, pour)) : amount,
+                  static_cast<double>(pour.most));
+}
+
+double poured_particles(const io::Scene& scene) {
+  double sum = 0.0;
+  for (const Pour& pour : scene.setup.pours) sum += poured_particles(scene, pour);
+  return sum;
+}
+
 /// Seconds a step takes at the start, from a few of them.
 double measured_step(Simulation& simulation) {
   constexpr double enough = 0.3;  // s
@@ -71,12 +95,17 @@ void check(const std::string& path) {
         {"  Rayleigh time", seconds(limits.rayleigh_time)},
         {"  recommended", fmt::format("{}   the smaller of a {:.0f}th of the impact and {:.1f} Rayleigh times",
                                       seconds(limits.recommended), steps_per_contact, rayleigh_share)},
-        {"particles", fmt::format("{}", frame.size())},
+        {"particles",
+         fmt::format(
+             "{}{}", frame.size(),
+             scene.setup.pours.empty() ? "" : fmt::format(", and about {:.0f} poured in", poured_particles(scene)))},
         {"contacts at start", fmt::format("{}", simulation.counts().contacts)},
         {"memory at start", io::quantity_text(static_cast<double>(simulation.memory_bytes()), "B")},
         {"frames", fmt::format("{:.0f}, every {}", frames, seconds(scene.output.interval))},
         {"results", fmt::format("{} at most, before compression{}",
-                                io::quantity_text(frames * bytes_a_particle * static_cast<double>(frame.size()), "B"),
+                                io::quantity_text(frames * bytes_a_particle *
+                                                      (static_cast<double>(frame.size()) + poured_particles(scene)),
+                                                  "B"),
                                 scene.output.contacts ? ", and the contacts" : "")}};
     lines.push_back({"computing", fmt::format("about {} on one core, at the speed of the first steps",
                                               clock_text(steps * measured_step(simulation)))});

@@ -32,10 +32,13 @@ void print_shapes(const io::ResultsFile& file, const io::ParticleFrame* last) {
 }
 
 void print_walls(const io::ResultsFile& file) {
-  if (file.walls().empty()) return;
+  if (file.walls().empty() && file.head().meshes.empty()) return;
   io::Table table{{"wall", "kind", "id"}, {}, 2};
   for (const io::ResultsWall& wall : file.walls())
     table.rows.push_back({wall.name, std::string(kind(wall.shape)), fmt::format("{}", wall.id)});
+  for (const io::ResultsMesh& mesh : file.head().meshes)
+    table.rows.push_back({mesh.name, fmt::format("mesh of {} triangles", mesh.triangles.triangles.size()),
+                          fmt::format("{} and on", mesh.id)});
   fmt::print("\n{}", io::to_text(table));
 }
 

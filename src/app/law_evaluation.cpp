@@ -1,11 +1,11 @@
 #include "app/law_evaluation.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "io/nearest_name.hpp"
+#include "osculate/core/aligned_allocator.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/mechanics/contact_ellipse.hpp"
 #include "osculate/mechanics/mindlin.hpp"
@@ -131,7 +131,7 @@ class Probe {
 
   const LawCase& case_;
   ContactLaw law_;
-  std::vector<double, Eigen::aligned_allocator<double>> memory_;
+  std::vector<double, AlignedAllocator<double>> memory_;
   State last_{};
   bool started_ = false;
 };

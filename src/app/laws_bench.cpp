@@ -1,6 +1,5 @@
 #include "app/laws_bench.hpp"
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "app/progress.hpp"
+#include "osculate/core/aligned_allocator.hpp"
 #include "osculate/mechanics/hertz.hpp"
 #include "osculate/mechanics/jamari_schipper.hpp"
 #include "osculate/mechanics/johnson_greenwood.hpp"
@@ -126,7 +126,7 @@ class Bed {
   std::array<std::array<Column, 7>, length> steps_;
   std::array<Column, 6> frame_;
   std::array<Column, 12> out_;
-  std::vector<double, Eigen::aligned_allocator<double>> memory_;
+  std::vector<double, AlignedAllocator<double>> memory_;
   std::vector<LawStatus> status_;
   Column mass_;
   std::size_t next_ = 0;

@@ -97,14 +97,18 @@ io::AssemblyLook look_of(const RenderOptions& options, const io::ResultsFile& re
       number_pair<double>("--view", options.view, ',', "azimuth,elevation in degrees, such as -60,20");
   Progress progress("Looking through the frames");
   std::vector<double> values;
+  std::optional<io::Box> all;
   for (std::size_t i = 0; i < range.count; ++i) {
     const io::ParticleFrame frame = results.frame(range.first + i);
+    if (frame.size() == 0) continue;  // nothing has been poured yet
     const io::Box extent = extent_of(frame, results.head());
-    look.extent = i == 0 ? extent : united(look.extent, extent);
+    all = all ? united(*all, extent) : extent;
     const std::vector<double> of_frame = values_of(frame, results.head(), look.colour);
     values.insert(values.end(), of_frame.begin(), of_frame.end());
     progress.update(static_cast<double>(i + 1) / static_cast<double>(range.count));
   }
+  if (!all) throw InputError(options.results, "no particle in any frame asked for", "one at least");
+  look.extent = *all;
   look.most = options.most.value_or(upper_end(values));
   return look;
 }

@@ -78,21 +78,42 @@ struct Options {
   become_lammps(arguments);
 }
 
-void print_summary(const Simulation& simulation, std::uint64_t steps, double seconds) {
+/// What came in of each pour; a warning for those whose particles found no place.
+void print_pours(const Simulation& simulation) {
+  const std::vector<Pour>& pours = simulation.setup().pours;
+  if (pours.empty()) return;
+  io::Table table{{"pour", "particles", "mass", "due"}, {}, 1};
+  std::vector<std::size_t> behind;
+  for (std::size_t p = 0; p < pours.size(); ++p) {
+    const Poured& poured = simulation.poured()[p];
+    const bool by_mass = pours[p].measure == Pour::Measure::mass;
+    const auto mass_text = [](double mass) { return io::quantity_text(1e3 * mass, "g"); };
+    const double wanted = due(pours[p], simulation.time()), came = arrived(pours[p], poured);
+    table.rows.push_back({fmt::format("{}", p + 1), fmt::format("{}", poured.particles), mass_text(poured.mass),
+                          by_mass ? mass_text(wanted) : fmt::format("{:.0f}", wanted)});
+    // What was due at the last look and a particle more may be on its way.
+    constexpr double share = 0.98;
+    const double one = by_mass && poured.particles > 0 ? came / static_cast<double>(poured.particles) : 1.0;
+    if (poured.particles < pours[p].most && came < share * wanted - 2.0 * one) behind.push_back(p + 1);
+  }
+  fmt::print("\n{}", io::to_text(table));
+  for (const std::size_t p : behind)
+    fmt::print(stderr, "osculate: warning: pour {} fell behind: its region was full\n", p);
+}
+
+void print_summary(const Simulation& simulation, double particle_steps, double seconds) {
   const EnergyLedger energy = simulation.energy();
   const Connectivity net = connectivity(simulation);
   const auto joule = [](double value) { return io::quantity_text(value, "J"); };
-  fmt::print("{}",
-             io::to_text(std::vector<io::Property>{
-                 {"time", io::quantity_text(simulation.time(), "s")},
-                 {"steps", fmt::format("{}", simulation.steps())},
-                 {"computing", fmt::format("{} for {} steps: {:.3g} µs per particle-step", clock_text(seconds), steps,
-                                           1e6 * seconds / static_cast<double>(std::max<std::uint64_t>(steps, 1)) /
-                                               static_cast<double>(net.particles))},
-                 {"particles", fmt::format("{}", net.particles)},
-                 {"contacts", fmt::format("{}   {:.3g} a particle with walls, {:.3g} without", net.contacts,
-                                          net.coordination, net.particle_coordination)},
-             }));
+  fmt::print("{}", io::to_text(std::vector<io::Property>{
+                       {"time", io::quantity_text(simulation.time(), "s")},
+                       {"steps", fmt::format("{}", simulation.steps())},
+                       {"computing", fmt::format("{}: {:.3g} µs per particle-step", clock_text(seconds),
+                                                 1e6 * seconds / std::max(particle_steps, 1.0))},
+                       {"particles", fmt::format("{}", net.particles)},
+                       {"contacts", fmt::format("{}   {:.3g} a particle with walls, {:.3g} without", net.contacts,
+                                                net.coordination, net.particle_coordination)},
+                   }));
   const io::Table ledger{{"energy", "J"},
                          {{"kinetic", joule(energy.kinetic)},
                           {"rotational", joule(energy.rotational)},
@@ -103,6 +124,7 @@ void print_summary(const Simulation& simulation, std::uint64_t steps, double sec
                           {"lost to friction", joule(energy.friction_loss)},
                           {"lost to hysteresis", joule(energy.hysteresis_loss)},
                           {"less the work of driven bodies", joule(-energy.driven_work)},
+                          {"less what particles poured brought", joule(-energy.poured)},
                           {"less what springs gained by curvature", joule(-energy.curvature_gain)},
                           {"sum, constant but for the time step", joule(energy.balance())}},
                          1};
@@ -125,12 +147,12 @@ void run(const Options& options) {
     throw InputError(results_path(folder).string(), "found results of an earlier run",
                      "--resume to go on, --overwrite to start anew, or another folder by --out");
   SceneRun scene_run(scene, folder, from);
-  const std::uint64_t first = scene_run.simulation().steps();
   const auto begin = std::chrono::steady_clock::now();
   scene_run.run(stop_signal);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   fmt::print("{}\n\n", scene.title);
-  print_summary(scene_run.simulation(), scene_run.simulation().steps() - first, spent.count());
+  print_summary(scene_run.simulation(), scene_run.particle_steps(), spent.count());
+  print_pours(scene_run.simulation());
   fmt::print("\nResults: {} and {}\n", results_path(folder).string(), series_path(folder).string());
   if (scene_run.is_done()) return;
   fmt::print(stderr, "osculate: stopped at t = {} of {}; go on with: osculate run {} --out {} --resume\n",

@@ -29,6 +29,10 @@ auto for_scene(const io::Scene& scene, const Work& work) {
   }
 }
 
+std::ptrdiff_t free_bodies(const Bodies& bodies) {
+  return std::count(bodies.motion.begin(), bodies.motion.end(), Bodies::free);
+}
+
 Simulation make_simulation(const io::Scene& scene, const std::optional<io::Checkpoint>& from) {
   return for_scene(scene, [&] { return from ? Simulation(scene.setup, from->state) : Simulation(scene.setup); });
 }
@@ -152,6 +156,7 @@ void SceneRun::run(const std::atomic<int>& stop) {
   while (!is_done() && stop == 0) {
     const std::uint64_t count = steps_to_next_look();
     const Clock::time_point before = Clock::now();
+    particle_steps_ += static_cast<double>(count) * static_cast<double>(free_bodies(simulation_.bodies()));
     for_scene(scene_, [&] { simulation_.advance(count); });
     step_seconds_ = std::chrono::duration<double>(Clock::now() - before).count() / static_cast<double>(count);
     record();

@@ -28,6 +28,7 @@ class SceneRun {
 
   bool is_done() const { return simulation_.steps() >= steps_; }
   const Simulation& simulation() const { return simulation_; }
+  double particle_steps() const { return particle_steps_; }  ///< of this run: steps of every free body
 
  private:
   void record();
@@ -46,6 +47,7 @@ class SceneRun {
   io::NumberTable pending_;  ///< rows that are not yet in the results
   std::ofstream csv_;
   double step_seconds_ = 0.0;  ///< a recent guess
+  double particle_steps_ = 0.0;
   Clock::time_point last_checkpoint_ = Clock::now();
 };
 

@@ -10,6 +10,7 @@
 #include "app/ccd_penetration.hpp"
 #include "osculate/dynamics/insertion.hpp"
 #include "osculate/dynamics/measures.hpp"
+#include "osculate/dynamics/random.hpp"
 #include "osculate/geometry/common_normal.hpp"
 #include "osculate/mechanics/law_registry.hpp"
 

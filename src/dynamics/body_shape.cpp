@@ -42,6 +42,20 @@ BodyShape body_shape(const Shape& shape) {
           .half_width = oriented_box(shape).half_extents.minCoeff()};
 }
 
+std::vector<BodyShape> face_shapes(const SurfaceTriangles& triangles) {
+  const auto surface = std::make_shared<const MeshSurface>(mesh_surface(triangles));
+  std::vector<BodyShape> shapes;
+  for (std::size_t f = 0; f < surface->faces.size(); ++f) {
+    BodyShape shape = body_shape(HalfSpace{});
+    shape.bounding_radius = surface->faces[f].radius;
+    shape.surface = surface;
+    shape.face = static_cast<int>(f);
+    shape.centre = surface->faces[f].centre;
+    shapes.push_back(shape);
+  }
+  return shapes;
+}
+
 Pose shape_pose(const BodyShape& shape, const Pose& body) {
   return {.position = body.to_world(shape.frame.position), .orientation = body.orientation * shape.frame.orientation};
 }

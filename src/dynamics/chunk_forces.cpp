@@ -4,6 +4,9 @@
 #include <chrono>
 #include <limits>
 
+#include "geometry/contact_rows.hpp"
+#include "geometry/pair_order.hpp"
+
 namespace osculate {
 namespace {
 
@@ -46,6 +49,7 @@ class ChunkStep {
   /// Those of the far pairs that touch become contacts; the others sleep until they could.
   void watch_far() {
     find_awake();
+    first_new_ = chunk_.contacts.size();
     chunk_.checked = static_cast<std::int32_t>(scratch_.awake.size() + chunk_.contacts.size());
     if (scratch_.awake.empty()) return;
     scratch_.pairs.clear();
@@ -64,7 +68,9 @@ class ChunkStep {
   }
 
   void solve_contacts() {
-    if (chunk_.contacts.size() > 0) solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip, scratch_.contacts);
+    if (chunk_.contacts.size() == 0) return;
+    solve(chunk_.contacts.bodies, chunk_.contacts.caches, Gap::skip, scratch_.contacts);
+    if (chunk_.group.narrow_phase == NarrowPhase::faces) hand_over();
   }
 
   void apply_law();
@@ -84,9 +90,10 @@ class ChunkStep {
   PairRecords records(const std::vector<LocalPair>& pairs) const {
     return {pairs, chunk_.bodies.data(), kinematics_.records.data()};
   }
-  /// The multiples of the periods that bring bodies 2 next to bodies 1; no rows where nothing is repeated in space.
-  void find_shifts(const std::vector<LocalPair>& pairs, Columns<3>& shift) const;
+  void find_images(const std::vector<LocalPair>& pairs, ImageShifts& images) const;
 
+  void solve_faces(const std::vector<LocalPair>& pairs, ContactColumns& geometry) const;
+  void hand_over();
   void find_awake();
   void sort_out(Index row);
   PairConstants constants_of(const LocalPair& pair) const;
@@ -103,7 +110,52 @@ class ChunkStep {
   ChunkScratch& scratch_;
   const ContactLaw& law_;
   double reach_;
+  Index first_new_ = 0;  ///< of the contacts: those from here on were far pairs before this step
 };
+
+void ChunkStep::solve_faces(const std::vector<LocalPair>& pairs, ContactColumns& geometry) const {
+  constexpr double beyond = 1e-9;
+  geometry.resize(pairs.size());
+  for (Index row = 0; row < pairs.size(); ++row) {
+    const bool face_first = shape(pairs[row].first).is_face();
+    const Index of_particle = face_first ? pairs[row].second : pairs[row].first;
+    const BodyShape &particle = shape(of_particle), &face = shape(face_first ? pairs[row].first : pairs[row].second);
+    FaceContact found =
+        face_contact(particle.shape, shape_pose(particle, record(of_particle).pose()), *face.surface,
+                     record(face_first ? pairs[row].first : pairs[row].second).pose(), face.face, reach_);
+    // What is not the face's to make is out of the law's reach.
+    if (!found.is_active)
+      found.contact.overlap =
+          std::min(found.contact.overlap, -reach_ * (1.0 + beyond) - std::numeric_limits<double>::min());
+    if (face_first) swap_bodies(found.contact);
+    set_row(geometry, row, found.contact);
+  }
+}
+
+/// Where a particle leaves a face and has come onto the next one, the new contact goes on with what the old one knew.
+void ChunkStep::hand_over() {
+  const Contacts& contacts = chunk_.contacts;
+  const auto face_of = [&](const LocalPair& pair) -> const BodyShape& {
+    return shape(pair.first).is_face() ? shape(pair.first) : shape(pair.second);
+  };
+  const auto particle_of = [&](const LocalPair& pair) {
+    return shape(pair.first).is_face() ? pair.second : pair.first;
+  };
+  const double* overlaps = scratch_.contacts.geometry.columns[of_geometry::overlap];
+  for (Index to = first_new_; to < contacts.size(); ++to) {
+    const BodyShape& face = face_of(contacts.bodies[to]);
+    const auto& neighbours = face.surface->faces[static_cast<Index>(face.face)].neighbours;
+    for (Index from = 0; from < first_new_; ++from) {
+      const BodyShape& old = face_of(contacts.bodies[from]);
+      if (overlaps[from] > -reach_ || old.surface != face.surface ||
+          particle_of(contacts.bodies[from]) != particle_of(contacts.bodies[to]) ||
+          !std::binary_search(neighbours.begin(), neighbours.end(), old.face))
+        continue;
+      move_memory(chunk_.contacts, from, to, law_);
+      break;
+    }
+  }
+}
 
 void ChunkStep::find_awake() {
   scratch_.awake.clear();
@@ -116,25 +168,28 @@ void ChunkStep::find_awake() {
   }
 }
 
-void ChunkStep::find_shifts(const std::vector<LocalPair>& pairs, Columns<3>& shift) const {
-  const PeriodicBox& box = world_.setup.box;
+void ChunkStep::find_images(const std::vector<LocalPair>& pairs, ImageShifts& images) const {
+  const PeriodicBox& box = world_.box;
   if (!box.repeats()) return;
-  shift.resize(pairs.size());
+  images.shift.resize(pairs.size());
+  if (box.shear) images.flow = ImageFlow{box.shear->flow, box.shear->gradient, box.shear->rate};
   for (Index row = 0; row < pairs.size(); ++row) {
     const Vec3 apart = record(pairs[row].second).position() - record(pairs[row].first).position();
     const Vec3 nearer = nearest_image_shift(box, apart);
-    for (Index k = 0; k < 3; ++k) shift[k][row] = nearer[static_cast<Eigen::Index>(k)];
+    for (Index k = 0; k < 3; ++k) images.shift[k][row] = nearer[static_cast<Eigen::Index>(k)];
   }
 }
 
 void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap,
                       ChunkScratch::Solved& solved) {
-  find_shifts(pairs, solved.shift);
+  if (chunk_.group.narrow_phase == NarrowPhase::faces) return solve_faces(pairs, solved.geometry);
+  find_images(pairs, solved.images);
+  const Columns<3>& shift = solved.images.shift;
   if (chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
     fill_pairs(records(pairs), solved.superquadrics);
     for (Index k = 0; k < 3; ++k) {
       double* x = solved.superquadrics.columns[SuperquadricPairs::per_body + 5 + k];
-      for (Index row = 0; row < solved.shift.size(); ++row) x[row] += solved.shift[k][row];
+      for (Index row = 0; row < shift.size(); ++row) x[row] += shift[k][row];
     }
     common_normals(solved.superquadrics, caches, solved.geometry, gap);
     return;
@@ -144,8 +199,7 @@ void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches
     const BodyRecord &one = record(pairs[row].first), &two = record(pairs[row].second);
     const BodyShape &shape_1 = shape(pairs[row].first), &shape_2 = shape(pairs[row].second);
     Pose second = two.pose();
-    if (solved.shift.size() > 0)
-      second.position += Vec3(solved.shift[0][row], solved.shift[1][row], solved.shift[2][row]);
+    if (shift.size() > 0) second.position += Vec3(shift[0][row], shift[1][row], shift[2][row]);
     solved.shapes.set(row, shape_1.shape, shape_pose(shape_1, one.pose()), shape_2.shape, shape_pose(shape_2, second));
   }
   common_normals(solved.shapes, caches, solved.geometry, gap);
@@ -269,6 +323,7 @@ void ChunkStep::report_extremes(const LawSums& sums) {
 
 void ChunkStep::add_forces() {
   Contacts& contacts = chunk_.contacts;
+  const ImageShifts& images = scratch_.contacts.images;
   const auto vector_at = [](const auto& columns, Index first, Index i) {
     return Vec3(columns[first][i], columns[first + 1][i], columns[first + 2][i]);
   };
@@ -277,6 +332,7 @@ void ChunkStep::add_forces() {
     const Vec3 force = vector_at(scratch_.answer, of_answer::force, i);
     contacts.force[i] = force;
     Wrench &on_1 = chunk_.wrenches[pair.first], &on_2 = chunk_.wrenches[pair.second];
+    if (images.flow) chunk_.image_power += force.dot(images.velocity(i));
     on_1.force += force;
     on_2.force -= force;
     on_1.torque += vector_at(scratch_.torques, of_torques::on_1, i);
@@ -301,11 +357,11 @@ void ChunkStep::open_contacts() {
 }
 
 void ChunkStep::apply_law() {
-  chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = 0.0;
+  chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = chunk_.image_power = 0.0;
   std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench{Vec3::Zero(), Vec3::Zero()});
   Contacts& contacts = chunk_.contacts;
   if (contacts.size() == 0) return;
-  describe_motion(records(contacts.bodies), scratch_.contacts.shift, contacts.radius_cap, law_.needs(),
+  describe_motion(records(contacts.bodies), scratch_.contacts.images, contacts.radius_cap, law_.needs(),
                   scratch_.contacts.geometry, scratch_.arms, scratch_.motion);
   call_law();
   check_contacts();

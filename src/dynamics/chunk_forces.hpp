@@ -22,7 +22,7 @@ struct ChunkScratch {
   struct Solved {
     SuperquadricPairs superquadrics;
     ShapePairs shapes;
-    Columns<3> shift;  ///< what brings body 2 next to body 1 [m]; no rows where nothing is repeated in space
+    ImageShifts images;
     ContactColumns geometry;
   };
   Solved far, contacts;

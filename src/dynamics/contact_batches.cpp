@@ -115,7 +115,16 @@ struct BodyMotion {
   }
 };
 
-void describe(const PairRecords& of, const Columns<3>& shift, const std::vector<double>& radius_cap,
+/// Velocities of the images in a batch of rows.
+HWY_INLINE V3<Batch> image_velocity(const ImageShifts& images, std::size_t start, std::size_t count) {
+  const Batch zero(0.0);
+  if (!images.flow) return {zero, zero, zero};
+  const auto [flow, gradient, rate] = *images.flow;
+  const Batch speed = Batch(rate) * load<Batch>(images.shift[static_cast<std::size_t>(gradient)] + start, count);
+  return {flow == 0 ? speed : zero, flow == 1 ? speed : zero, flow == 2 ? speed : zero};
+}
+
+void describe(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
               const LawNeeds& needs, ContactColumns& found, Columns<of_arms::columns>& arms,
               Columns<of_motion::columns>& motion) {
   const Batch zero(0.0), half(0.5);
@@ -134,10 +143,11 @@ void describe(const PairRecords& of, const Columns<3>& shift, const std::vector<
                                     load_vector(columns, of_geometry::on_2, start, count));
     const V3<Batch> arm_1 = point - one.position;
     V3<Batch> arm_2 = point - two.position;
-    if (shift.size() > 0) arm_2 = arm_2 - load_vector(shift, 0, start, count);
-    const V3<Batch> moved =
-        two.velocity + cross(two.mean_angular_velocity, arm_2) - one.velocity - cross(one.mean_angular_velocity, arm_1);
-    const V3<Batch> now = two.last_velocity + cross(two.last_angular_velocity, arm_2) - one.last_velocity -
+    if (images.shift.size() > 0) arm_2 = arm_2 - load_vector(images.shift, 0, start, count);
+    const V3<Batch> of_image = image_velocity(images, start, count);
+    const V3<Batch> moved = two.velocity + of_image + cross(two.mean_angular_velocity, arm_2) - one.velocity -
+                            cross(one.mean_angular_velocity, arm_1);
+    const V3<Batch> now = two.last_velocity + of_image + cross(two.last_angular_velocity, arm_2) - one.last_velocity -
                           cross(one.last_angular_velocity, arm_1);
     store(select(resolved, min(R_i, cap), cap), columns[of_geometry::R_i] + start, count);
     store(select(resolved, min(R_j, cap), cap), columns[of_geometry::R_j] + start, count);
@@ -294,12 +304,12 @@ void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs) {
   HWY_DYNAMIC_DISPATCH(fill)(of, pairs);
 }
 
-void describe_motion(const PairRecords& of, const Columns<3>& shift, const std::vector<double>& radius_cap,
+void describe_motion(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
                      const LawNeeds& needs, ContactColumns& geometry, Columns<of_arms::columns>& arms,
                      Columns<of_motion::columns>& motion) {
   arms.resize(of.pairs.size());
   motion.resize(of.pairs.size());
-  HWY_DYNAMIC_DISPATCH(describe)(of, shift, radius_cap, needs, geometry, arms, motion);
+  HWY_DYNAMIC_DISPATCH(describe)(of, images, radius_cap, needs, geometry, arms, motion);
 }
 
 LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,

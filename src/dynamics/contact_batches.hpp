@@ -3,6 +3,7 @@
 // want, and from the law's answer to forces and torques.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,23 @@ struct PairRecords {
   std::span<const LocalPair> pairs;
   const std::int32_t* bodies;  ///< of the chunk
   const BodyRecord* records;   ///< of all bodies
+};
+
+/// How the images of a sheared box move: `rate` times their distance along `gradient`, along `flow`.
+struct ImageFlow {
+  Eigen::Index flow, gradient;
+  double rate;  ///< [1/s]
+};
+
+/// Which images of bodies 2 stand next to bodies 1.
+struct ImageShifts {
+  Columns<3> shift;  ///< from bodies 2 to their images [m]; no rows where nothing is repeated in space
+  std::optional<ImageFlow> flow;
+
+  /// Of the image in a row against its original [m/s]; with a flow only.
+  Vec3 velocity(std::size_t row) const {
+    return flow->rate * shift[static_cast<std::size_t>(flow->gradient)][row] * Vec3::Unit(flow->flow);
+  }
 };
 
 /// Columns of ContactColumns, of the motion, of the law's answer and of the wrenches.
@@ -52,9 +70,8 @@ void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs);
 /// Arms and relative motion at the contacts; radii of curvature are held below their caps. Velocities are those of the
 /// step in the contact plane and of its end along the normal. A gap that was proved but not resolved has neither points
 /// nor curvatures: its radii are the caps, its arms and motion zero.
-/// @param shift   what brings body 2 next to body 1 [m]; no rows where nothing is repeated in space
 /// @param needs   angular velocities that are not needed are left alone
-void describe_motion(const PairRecords& of, const Columns<3>& shift, const std::vector<double>& radius_cap,
+void describe_motion(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
                      const LawNeeds& needs, ContactColumns& geometry, Columns<of_arms::columns>& arms,
                      Columns<of_motion::columns>& motion);
 

@@ -8,6 +8,7 @@
 #include "dynamics/driven_travel.hpp"
 #include "dynamics/fault_text.hpp"
 #include "dynamics/move_bodies.hpp"
+#include "dynamics/pouring.hpp"
 
 namespace osculate {
 namespace {
@@ -44,7 +45,7 @@ Simulation::Engine::Engine(const Setup& setup)
     record.mean_angular_velocity = record.last_angular_velocity = bodies_.angular_velocity(i);
   }
   for (const Driven& driven : driven_) {
-    const BodyStart& start = world_.setup.bodies[driven.body];
+    const BodyStart& start = world_.starts[driven.body];
     const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose, 0.0);
     BodyRecord& record = kinematics_.records[driven.body];
     bodies_.velocity[driven.body] = record.velocity = record.last_velocity = moving.velocity;
@@ -52,28 +53,56 @@ Simulation::Engine::Engine(const Setup& setup)
   }
   rebuild();
   evaluate_pairs();
+  image_power_ = image_power();
   gather(0.0);
   kinematics_.time_step = setup.time_step;
 }
 
 /// Everything that has one entry a body, with the bodies where they are.
 void Simulation::Engine::make_room() {
-  kinematics_.records.resize(bodies_.size());
-  kinematics_.travel.assign(bodies_.size(), 0.0);
-  step_travel_.assign(bodies_.size(), 0.0);
-  listed_at_ = bodies_.position;
+  poured_.resize(world_.setup.pours.size());
   scratch_.resize(static_cast<std::size_t>(threads_.count()));
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    BodyRecord& record = kinematics_.records[i];
-    const auto numbers = superquadric_numbers(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].shape);
-    std::copy(numbers.begin(), numbers.end(), record.placed.begin());
-    record.place(bodies_.position[i], bodies_.orientation[i]);
-    radius_.push_back(world_.shapes[static_cast<std::size_t>(bodies_.shape[i])].bounding_radius);
-    if (!bodies_.is_free(i)) driven_.push_back({.body = i});
-  }
+  double largest = 0.0, reach = 0.0;
+  for (const BodyShape& shape : world_.shapes)
+    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
+  for (const double one : world_.reach) reach = std::max(reach, one);
+  flow_reach_ = 2.0 * (largest + world_.skin) + reach;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) make_room_for(i);
+}
+
+void Simulation::Engine::make_room_for(std::size_t body) {
+  const BodyShape& shape = world_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
+  BodyRecord& record = kinematics_.records.emplace_back();
+  const auto numbers = superquadric_numbers(shape.shape);
+  std::copy(numbers.begin(), numbers.end(), record.placed.begin());
+  record.place(bodies_.position[body], bodies_.orientation[body]);
+  kinematics_.travel.push_back(0.0);
+  step_travel_.push_back(0.0);
+  listed_at_.push_back(bodies_.position[body]);
+  radius_.push_back(shape.bounding_radius);
+  if (!bodies_.is_free(body)) driven_.push_back({.body = body});
+}
+
+/// Particles that are due come in, each further from everything than any force acts.
+void Simulation::Engine::pour() {
+  if (steps_ % steps_between_pours != 0) return;
+  const std::size_t before = bodies_.size();
+  for (std::size_t p = 0; p < poured_.size(); ++p)
+    for (const BodyStart& start : poured_now(world_, bodies_, world_.setup.pours[p], steps_, poured_[p])) {
+      const std::size_t body = bodies_.size();
+      append_body(world_, start, "body " + std::to_string(body), bodies_);
+      make_room_for(body);
+      poured_energy_ +=
+          bodies_.mass[body] * (0.5 * start.velocity.squaredNorm() - world_.setup.gravity.dot(start.pose.position));
+    }
+  if (bodies_.size() > before) rebuild();
 }
 
 void Simulation::Engine::step() {
+  {
+    const StageClock clock(times_.broad);
+    pour();
+  }
   {
     const StageClock clock(times_.move);
     move();
@@ -89,14 +118,42 @@ void Simulation::Engine::step() {
   for (const Driven& driven : driven_)
     driven_work_ -= 0.5 * ((driven.force + bodies_.force[driven.body]).dot(driven.displacement) +
                            (driven.torque + bodies_.torque[driven.body]).dot(driven.turn));
+  if (!world_.box.shear) return;
+  const double power = image_power();
+  driven_work_ += 0.5 * world_.setup.time_step * (image_power_ + power);
+  image_power_ = power;
+}
+
+/// What the images of a sheared box do: moving, they push as driven bodies do.
+double Simulation::Engine::image_power() const {
+  double power = 0.0;
+  for (const PairChunk& chunk : pairs_.chunks) power += chunk.image_power;
+  return power;
+}
+
+/// The mean velocity in a sheared box. What bodies and images do beyond it decides how near two of them can come: those
+/// that are far apart along the gradient cannot touch, whatever the flow does between them.
+Vec3 Simulation::Engine::flow_at(const Vec3& position) const {
+  return image_velocity(world_.box, position - world_.box.origin - 0.5 * world_.box.length);
+}
+
+/// How far the flow moves two bodies of a pair against each other in a time, at most.
+double Simulation::Engine::flow_way(double time) const {
+  return world_.box.shear ? std::fabs(world_.box.shear->rate) * flow_reach_ * time : 0.0;
 }
 
 /// Spheres around bodies were listed with a skin between them. What turns in its sphere does not matter.
 bool Simulation::Engine::list_is_stale() const {
-  const double most = 0.5 * world_.skin;
+  const double elapsed = static_cast<double>(steps_ - listed_step_) * world_.setup.time_step;
+  const double most = 0.5 * (world_.skin - flow_way(elapsed));
+  if (!(most > 0.0)) return true;
   double furthest = 0.0;
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_.is_free(i)) furthest = std::max(furthest, (bodies_.position[i] - listed_at_[i]).squaredNorm());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_.is_free(i)) continue;
+    Vec3 way = bodies_.position[i] - listed_at_[i];
+    if (world_.box.shear) way -= elapsed * flow_at(listed_at_[i]);
+    furthest = std::max(furthest, way.squaredNorm());
+  }
   if (furthest > most * most) return true;
   return std::any_of(driven_.begin(), driven_.end(),
                      [&](const Driven& driven) { return kinematics_.travel[driven.body] > most; });
@@ -109,9 +166,16 @@ void Simulation::Engine::move() {
     move_bodies(step, begin, end, bodies_, kinematics_, radius_, step_travel_);
   });
   for (Driven& driven : driven_) move_driven(driven);
+  const bool sheared = world_.box.shear.has_value();
+  if (sheared) world_.box = at_time(world_.setup.box, static_cast<double>(steps_ + 1) * step.time_step);
   const double most = 0.5 * world_.least_half_width;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const double way = step_travel_[i];
+    if (sheared) {
+      const Vec3& velocity = bodies_.velocity[i];
+      kinematics_.travel[i] += 0.5 * flow_way(step.time_step) +
+                               step.time_step * ((velocity - flow_at(bodies_.position[i])).norm() - velocity.norm());
+    }
     kinematics_.travel[i] += way;
     if (way <= most) continue;  // false for NaN too
     ++steps_;
@@ -126,7 +190,7 @@ void Simulation::Engine::move() {
 void Simulation::Engine::move_driven(Driven& driven) {
   const std::size_t i = driven.body;
   const double dt = world_.setup.time_step;
-  const BodyStart& start = world_.setup.bodies[i];
+  const BodyStart& start = world_.starts[i];
   const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose,
                                 static_cast<double>(steps_ + 1) * dt);
   driven.displacement = moving.pose.position - driven.position;
@@ -146,21 +210,33 @@ void Simulation::Engine::move_driven(Driven& driven) {
                                   {driven.displacement, driven.turn}, {centre_, extent_});
 }
 
+/// The body's image inside the box takes its place.
+void Simulation::Engine::wrap(std::size_t body) {
+  const Vec3 shift = shift_inside(world_.box, bodies_.position[body]);
+  if (shift.isZero(0.0)) return;
+  const Vec3 inside = wrapped(world_.box, bodies_.position[body]);
+  const double mass = bodies_.mass[body];
+  gravity_wrapped_ += mass * world_.setup.gravity.dot(inside - bodies_.position[body]);
+  bodies_.position[body] = inside;
+  BodyRecord& record = kinematics_.records[body];
+  record.place(inside, bodies_.orientation[body]);
+  const Vec3 change = image_velocity(world_.box, shift);
+  driven_work_ += mass * change.dot(bodies_.velocity[body] + 0.5 * change);
+  bodies_.velocity[body] += change;
+  record.velocity += change;
+  record.last_velocity += change;
+}
+
 void Simulation::Engine::rebuild() {
   ++rebuilds_;
-  const PeriodicBox& box = world_.setup.box;
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_.is_free(i)) continue;
-    if (box.repeats()) {
-      const Vec3 inside = wrapped(box, bodies_.position[i]);
-      gravity_wrapped_ += bodies_.mass[i] * world_.setup.gravity.dot(inside - bodies_.position[i]);
-      bodies_.position[i] = inside;
-      kinematics_.records[i].place(inside, bodies_.orientation[i]);
-    }
+    if (world_.box.repeats()) wrap(i);
     lower = lower.cwiseMin(bodies_.position[i]);
     upper = upper.cwiseMax(bodies_.position[i]);
   }
+  if (!(lower.x() <= upper.x())) lower = upper = Vec3::Zero();  // nothing has come in yet
   centre_ = 0.5 * (lower + upper);
   double largest = 0.0;
   for (const BodyShape& shape : world_.shapes)
@@ -169,6 +245,7 @@ void Simulation::Engine::rebuild() {
   pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
+  listed_step_ = steps_;
 }
 
 void Simulation::Engine::evaluate_pairs() {
@@ -233,6 +310,7 @@ EnergyLedger Simulation::Engine::energy() const {
     energy.curvature_gain += chunk.curvature_gain;
   }
   energy.driven_work = driven_work_;
+  energy.poured = poured_energy_;
   return energy;
 }
 
@@ -268,7 +346,7 @@ std::vector<Contact> Simulation::Engine::contacts() const {
       const ContactGeometry found = geometry.get(i);
       const Vec3 difference =
           bodies_.position[static_cast<std::size_t>(two)] - bodies_.position[static_cast<std::size_t>(one)];
-      const PeriodicBox& box = world_.setup.box;
+      const PeriodicBox& box = world_.box;
       const Vec3 shift = box.repeats() ? nearest_image_shift(box, difference) : Vec3::Zero();
       contacts.push_back({.body_1 = one,
                           .body_2 = two,

@@ -18,8 +18,10 @@ class Simulation::Engine {
 
   double time() const { return static_cast<double>(steps_) * world_.setup.time_step; }
   std::uint64_t steps() const { return steps_; }
+  std::span<const Poured> poured() const { return poured_; }
   const World& world() const { return world_; }
   const Bodies& bodies() const { return bodies_; }
+  const PeriodicBox& box() const { return world_.box; }
   std::vector<Contact> contacts() const;
   EnergyLedger energy() const;
   StepCounts counts() const;
@@ -36,10 +38,16 @@ class Simulation::Engine {
   };
 
   void make_room();
+  void make_room_for(std::size_t body);
+  void pour();
   void move();
   void move_driven(Driven& driven);
   void rebuild();
+  void wrap(std::size_t body);
   void evaluate_pairs();
+  double image_power() const;
+  Vec3 flow_at(const Vec3& position) const;
+  double flow_way(double time) const;
   void gather(double kick_time);
   void gather_body(std::size_t i, double kick_time);
   bool list_is_stale() const;
@@ -54,13 +62,18 @@ class Simulation::Engine {
   Kinematics kinematics_;
   PairList pairs_;
   std::vector<Driven> driven_;
+  std::vector<Poured> poured_;       ///< of each of the setup's pours
   std::vector<double> radius_;       ///< of each body's bounding sphere [m]
   std::vector<double> step_travel_;  ///< of each body in the last step [m]
   std::vector<Vec3> listed_at_;      ///< where each body was when the pairs were listed [m]
   double extent_ = 0.0;              ///< no particle was further than this from centre_ when the pairs were listed [m]
   Vec3 centre_ = Vec3::Zero();
-  double driven_work_ = 0.0;      ///< [J]
-  double gravity_wrapped_ = 0.0;  ///< gravity's energy that wrapping positions took away [J]
+  double driven_work_ = 0.0;       ///< [J]
+  double image_power_ = 0.0;       ///< of forces through the faces of a sheared box [W]
+  double flow_reach_ = 0.0;        ///< no two bodies of a listed pair are further apart than this [m]
+  std::uint64_t listed_step_ = 0;  ///< when the pairs were listed
+  double poured_energy_ = 0.0;     ///< [J]
+  double gravity_wrapped_ = 0.0;   ///< gravity's energy that wrapping positions took away [J]
   std::uint64_t steps_ = 0, rebuilds_ = 0;
   Threads threads_;
   std::vector<ChunkScratch> scratch_;  ///< one a thread

@@ -182,7 +182,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
   Next totals("chunks.totals", all.totals);
   list.chunks.clear();
   for (const Header& header : all.headers) {
-    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 1)
+    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 2)
       throw InputError("state", "pairs of another setup", "the setup that the state was made with");
     const ContactLaw& law = world.setup.interactions[header.law].law;
     PairChunk& chunk = list.chunks.emplace_back();
@@ -254,7 +254,10 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.value("centre.y", self.centre_.y());
   visitor.value("centre.z", self.centre_.z());
   visitor.value("driven_work", self.driven_work_);
+  visitor.value("poured_energy", self.poured_energy_);
   visitor.value("gravity_wrapped", self.gravity_wrapped_);
+  visitor.value("image_power", self.image_power_);
+  visitor.value("listed_step", self.listed_step_);
   visitor.value("steps", self.steps_);
   visitor.value("rebuilds", self.rebuilds_);
   visitor.value("losses.viscous", self.pairs_.viscous_loss);
@@ -265,13 +268,48 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visit_pairs(self.pairs_, self.world_, self.bodies_.size(), visitor);
 }
 
+/// Bodies that came in since the start have the setup's kinds, and no entry of their own in it.
+struct PouredBodies {
+  std::vector<std::int32_t> shape, material;
+  std::vector<std::uint64_t> particles;  ///< of each pour
+  std::vector<double> mass;              ///< [kg]
+
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    visitor.template array<std::int32_t>("poured.shape", shape);
+    visitor.template array<std::int32_t>("poured.material", material);
+    visitor.template array<std::uint64_t>("poured.particles", particles);
+    visitor.template array<double>("poured.mass", mass);
+  }
+};
+
+void append_poured(const World& world, const PouredBodies& poured, Bodies& bodies) {
+  const std::set<BodyKind> kinds = body_kinds(world);
+  if (poured.material.size() != poured.shape.size())
+    throw InputError("state", "poured bodies without a material", "a shape and a material of each");
+  for (std::size_t k = 0; k < poured.shape.size(); ++k) {
+    const std::string where = "body " + std::to_string(bodies.size()) + " of the state";
+    if (!kinds.contains({poured.shape[k], poured.material[k], true}))
+      throw InputError(where, "a kind that no pour has", "one of the setup that the state was made with");
+    append_body(world, {.shape = poured.shape[k], .material = poured.material[k], .pose = {}}, where, bodies);
+  }
+}
+
 Simulation::Engine::Engine(const Setup& setup, const State& state)
     : world_(make_world(setup)), bodies_(make_bodies(world_)), threads_(setup.threads) {
-  make_room();
-  kinematics_.time_step = setup.time_step;
   StateReader reader(state);
+  PouredBodies poured;
+  poured.visit(reader);
+  if (poured.particles.size() != setup.pours.size() || poured.mass.size() != setup.pours.size())
+    throw InputError("state", std::to_string(poured.particles.size()) + " pours",
+                     std::to_string(setup.pours.size()) + " as in the setup");
+  append_poured(world_, poured, bodies_);
+  make_room();
+  for (std::size_t p = 0; p < poured_.size(); ++p) poured_[p] = {poured.particles[p], poured.mass[p]};
+  kinematics_.time_step = setup.time_step;
   const std::size_t count = bodies_.size();
   visit_state(*this, reader);
+  world_.box = at_time(setup.box, time());
   for (const std::size_t size :
        {bodies_.position.size(), bodies_.orientation.size(), bodies_.velocity.size(), bodies_.angular_momentum.size(),
         bodies_.force.size(), bodies_.torque.size(), kinematics_.travel.size(), listed_at_.size()})
@@ -284,6 +322,16 @@ Simulation::Engine::Engine(const Setup& setup, const State& state)
 State Simulation::Engine::state() const {
   State state;
   StateWriter writer(state);
+  const auto first = static_cast<std::ptrdiff_t>(world_.starts.size());
+  PouredBodies poured{.shape = {bodies_.shape.begin() + first, bodies_.shape.end()},
+                      .material = {bodies_.material.begin() + first, bodies_.material.end()},
+                      .particles = {},
+                      .mass = {}};
+  for (const Poured& one : poured_) {
+    poured.particles.push_back(one.particles);
+    poured.mass.push_back(one.mass);
+  }
+  poured.visit(writer);
   auto& self = const_cast<Engine&>(*this);  // a writer changes nothing
   visit_state(self, writer);
   return state;

@@ -14,34 +14,9 @@ std::size_t index_of(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
-BoxRegion bounds(const Region& region) {
-  struct Bounds {
-    BoxRegion operator()(const BoxRegion& box) const { return box; }
-    BoxRegion operator()(const CylinderRegion& cylinder) const {
-      const Vec3 side(cylinder.radius, cylinder.radius, 0.0);
-      return {.lower = cylinder.base - side, .upper = cylinder.base + side + cylinder.height * Vec3::UnitZ()};
-    }
-    BoxRegion operator()(const SphereRegion& sphere) const {
-      const Vec3 side = Vec3::Constant(sphere.radius);
-      return {.lower = sphere.centre - side, .upper = sphere.centre + side};
-    }
-  };
-  return std::visit(Bounds{}, region);
-}
-
 /// A body and its images in a periodic box that reach into another box.
 std::vector<Vec3> images(const PeriodicBox& periodic, const Vec3& position, double radius, const BoxRegion& box) {
-  std::vector<Vec3> found{wrapped(periodic, position)};
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    if (!std::isfinite(periodic.length[k])) continue;
-    const std::size_t count = found.size();
-    for (std::size_t i = 0; i < count; ++i)
-      for (const double side : {-1.0, 1.0}) {
-        Vec3 image = found[i];
-        image[k] += side * periodic.length[k];
-        found.push_back(image);
-      }
-  }
+  std::vector<Vec3> found = near_images(periodic, wrapped(periodic, position));
   std::erase_if(found, [&](const Vec3& at) {
     return (at - box.upper).maxCoeff() > radius || (box.lower - at).maxCoeff() > radius;
   });
@@ -69,6 +44,7 @@ Connectivity connectivity(const Simulation& simulation) {
     ++result.particles;
     if (touching[i] < 2) ++result.rattlers;
   }
+  if (result.particles == 0) return result;
   result.coordination = static_cast<double>(ends) / static_cast<double>(result.particles);
   result.particle_coordination = static_cast<double>(free_ends) / static_cast<double>(result.particles);
   return result;
@@ -89,7 +65,7 @@ double solid_fraction(const Simulation& simulation, const Region& region, int pe
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodyShape& shape = simulation.shapes()[index_of(bodies.shape[b])];
     if (!is_particle(shape.shape)) continue;
-    for (const Vec3& at : images(simulation.setup().box, bodies.position[b], shape.bounding_radius, box)) {
+    for (const Vec3& at : images(simulation.box(), bodies.position[b], shape.bounding_radius, box)) {
       const Pose pose = shape_pose(shape, {.position = at, .orientation = bodies.orientation[b]});
       Eigen::Array<Eigen::Index, 3, 1> first, last;
       for (Eigen::Index k = 0; k < 3; ++k) {
@@ -130,16 +106,20 @@ Stress stress(const Simulation& simulation, double volume) {
     if (!bodies.is_free(one)) branch += bodies.position[one] - contact.point;
     result.contact += contact.force * branch.transpose() / volume;
   }
+  // Velocities against the flow of a sheared box: those of the images are the same.
+  const auto own_velocity = [&](std::size_t i) -> Vec3 {
+    return bodies.velocity[i] - image_velocity(simulation.box(), bodies.position[i]);
+  };
   double mass = 0.0;
   Vec3 momentum = Vec3::Zero();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.is_free(i)) continue;
     mass += bodies.mass[i];
-    momentum += bodies.mass[i] * bodies.velocity[i];
+    momentum += bodies.mass[i] * own_velocity(i);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.is_free(i)) continue;
-    const Vec3 velocity = bodies.velocity[i] - momentum / mass;
+    const Vec3 velocity = own_velocity(i) - momentum / mass;
     result.streaming -= bodies.mass[i] * velocity * velocity.transpose() / volume;
   }
   return result;

@@ -16,9 +16,11 @@ class Grid {
   Grid(const Vec3& lower, const Vec3& upper, double cell, const PeriodicBox& box) {
     constexpr double most_cells = 1 << 20;  // an axis: three of them fit into a key
     for (Eigen::Index k = 0; k < 3; ++k) {
-      periodic_[static_cast<std::size_t>(k)] = std::isfinite(box.length[k]);
-      origin_[k] = periodic_[static_cast<std::size_t>(k)] ? box.origin[k] : lower[k];
-      const double length = periodic_[static_cast<std::size_t>(k)] ? box.length[k] : upper[k] - lower[k];
+      const bool repeats = std::isfinite(box.length[k]);
+      // Across the gradient of a shear no cells of a box and its image face each other.
+      periodic_[static_cast<std::size_t>(k)] = repeats && !(box.shear && box.shear->gradient == k);
+      origin_[k] = repeats ? box.origin[k] : lower[k];
+      const double length = repeats ? box.length[k] : upper[k] - lower[k];
       const double count = std::clamp(std::floor(length / cell), 1.0, most_cells);
       count_[k] = static_cast<std::int64_t>(count);
       inverse_cell_[k] = length > 0.0 ? count / length : 0.0;
@@ -89,6 +91,23 @@ int level_of(double radius, double smallest) {
 
 }  // namespace
 
+/// The images of a ball across the gradient of a shear that may touch a ball in the box.
+std::vector<Vec3> sheared_images(const PeriodicBox& box, const Vec3& centre, double reach) {
+  std::vector<Vec3> images;
+  if (!box.shear) return images;
+  const BoxShear& shear = *box.shear;
+  for (const double side : {-1.0, 1.0}) {
+    Vec3 image = centre + side * (box.length[shear.gradient] * Vec3::Unit(shear.gradient) +
+                                  shear.offset * Vec3::Unit(shear.flow));
+    const double above = image[shear.gradient] - box.origin[shear.gradient];
+    if (above < -reach || above > box.length[shear.gradient] + reach) continue;
+    const double length = box.length[shear.flow], along = image[shear.flow] - box.origin[shear.flow];
+    image[shear.flow] -= length * std::floor(along / length);
+    images.push_back(image);
+  }
+  return images;
+}
+
 std::vector<BodyPair> touching_balls(std::span<const Ball> balls, const PeriodicBox& box) {
   std::vector<BodyPair> pairs;
   if (balls.size() < 2) return pairs;
@@ -120,15 +139,22 @@ std::vector<BodyPair> touching_balls(std::span<const Ball> balls, const Periodic
     const auto level = static_cast<std::size_t>(level_of(balls[i].radius, smallest));
     for (std::size_t other = level; other < grids.size(); ++other) {
       if (largest_of[other] == 0.0) continue;
-      grids[other].visit_around(grids[other].cell_of(centres[i]), [&](std::int32_t j) {
+      const auto add_if_touching = [&](std::int32_t j) {
         if (other == level && j <= index) return;
         const auto at = static_cast<std::size_t>(j);
         Vec3 apart = centres[at] - centres[i];
         if (box.repeats()) apart += nearest_image_shift(box, apart);
         const double reach = balls[i].radius + balls[at].radius;
         if (apart.squaredNorm() <= reach * reach) pairs.push_back({std::min(index, j), std::max(index, j)});
-      });
+      };
+      grids[other].visit_around(grids[other].cell_of(centres[i]), add_if_touching);
+      for (const Vec3& image : sheared_images(box, centres[i], balls[i].radius + largest_of[other]))
+        grids[other].visit_around(grids[other].cell_of(image), add_if_touching);
     }
+  }
+  if (box.shear) {  // a ball may be seen next to another one and next to its image
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   }
   return pairs;
 }

@@ -72,6 +72,13 @@ void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, con
   if (law.makes_couples()) contacts.couple[end] = from.couple[i];
 }
 
+void move_memory(Contacts& contacts, std::size_t from, std::size_t to, const ContactLaw& law) {
+  copy_memory(contacts.memory, from, contacts.memory, to, law.memory_size());
+  for (std::size_t m = 0; m < law.memory_size(); ++m)
+    contacts.memory[from / law_lanes * law.memory_size() + m].lanes[from % law_lanes] = 0.0;
+  contacts.spring[to] = std::exchange(contacts.spring[from], {0.0, 0.0});
+}
+
 void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
   const std::size_t last = contacts.size() - 1;
   const auto fill_gap = [&](auto& items) {

@@ -13,7 +13,7 @@
 namespace osculate {
 
 /// Which narrow phase a pair goes through.
-enum class NarrowPhase : std::int32_t { superquadrics, any_shapes };
+enum class NarrowPhase : std::int32_t { superquadrics, any_shapes, faces };
 
 /// What a pair is: chunks hold pairs of one group.
 struct PairGroup {
@@ -113,6 +113,7 @@ struct PairChunk {
   // At the last step.
   double stored_normal = 0.0, stored_tangential = 0.0;  ///< [J]
   double stiffest = 0.0;                                ///< largest dF/dδ over reduced mass [1/s²]
+  double image_power = 0.0;                             ///< of forces through the faces of a sheared box [W]
   std::int32_t checked = 0;                             ///< pairs given to the narrow phase
   Fault fault = Fault::none;
   BodyPair fault_pair{};
@@ -125,6 +126,9 @@ void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCa
 
 /// Appends contact `i` of another list with everything it remembers.
 void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law);
+
+/// What a contact remembers becomes another one's; its own is as if it were new.
+void move_memory(Contacts& contacts, std::size_t from, std::size_t to, const ContactLaw& law);
 
 /// Gives back memory that growing left over, but for an eighth.
 void drop_spare_room(PairChunk& chunk);

@@ -42,15 +42,21 @@ double gap_to_wall(const Shape& wall, const Pose& pose, const Vec3& point) {
       wall);
 }
 
+double gap_to_face(const BodyShape& shape, const Pose& pose, const Vec3& point) {
+  return distance_to(shape.surface->faces[static_cast<Index>(shape.face)], pose.to_body(point));
+}
+
 /// How far apart the spheres around two bodies are; for a wall and a particle, the wall and the sphere.
 double sphere_gap(const World& world, const Bodies& bodies, Index one, Index two) {
   const BodyShape &shape_1 = shape_of(world, bodies, one), &shape_2 = shape_of(world, bodies, two);
+  if (shape_1.is_face()) return gap_to_face(shape_1, bodies.pose(one), bodies.position[two]) - shape_2.bounding_radius;
+  if (shape_2.is_face()) return gap_to_face(shape_2, bodies.pose(two), bodies.position[one]) - shape_1.bounding_radius;
   if (!is_particle(shape_1.shape))
     return gap_to_wall(shape_1.shape, bodies.pose(one), bodies.position[two]) - shape_2.bounding_radius;
   if (!is_particle(shape_2.shape))
     return gap_to_wall(shape_2.shape, bodies.pose(two), bodies.position[one]) - shape_1.bounding_radius;
   Vec3 apart = bodies.position[two] - bodies.position[one];
-  if (world.setup.box.repeats()) apart += nearest_image_shift(world.setup.box, apart);
+  if (world.box.repeats()) apart += nearest_image_shift(world.box, apart);
   return apart.norm() - shape_1.bounding_radius - shape_2.bounding_radius;
 }
 
@@ -71,7 +77,7 @@ std::uint64_t spread(std::uint64_t x) {
 std::vector<std::uint32_t> ranks(const World& world, const Bodies& bodies) {
   constexpr double cells = 1 << 21;
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-  const auto is_bounded = [&](Index i) { return std::isfinite(shape_of(world, bodies, i).bounding_radius); };
+  const auto is_bounded = [&](Index i) { return is_particle(shape_of(world, bodies, i).shape); };
   for (Index i = 0; i < bodies.size(); ++i) {
     if (!is_bounded(i)) continue;
     lower = lower.cwiseMin(bodies.position[i]);
@@ -104,19 +110,27 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
   std::vector<Ball> balls;
   std::vector<std::int32_t> ball_of, walls;
   for (Index i = 0; i < bodies.size(); ++i) {
-    const double radius = shape_of(world, bodies, i).bounding_radius;
+    const BodyShape& shape = shape_of(world, bodies, i);
+    const double radius = shape.bounding_radius;
     if (std::isfinite(radius)) {
-      balls.push_back({bodies.position[i], radius + 0.5 * (world.skin + reach)});
+      balls.push_back({shape.is_face() ? bodies.pose(i).to_world(shape.centre) : bodies.position[i],
+                       radius + 0.5 * (world.skin + reach)});
       ball_of.push_back(static_cast<std::int32_t>(i));
     } else {
       walls.push_back(static_cast<std::int32_t>(i));
     }
   }
-  std::vector<BodyPair> pairs = touching_balls(balls, world.setup.box);
+  std::vector<BodyPair> pairs = touching_balls(balls, world.box);
   for (BodyPair& pair : pairs) pair = {ball_of[index_of(pair.first)], ball_of[index_of(pair.second)]};
+  const auto is_face = [&](std::int32_t body) { return shape_of(world, bodies, index_of(body)).is_face(); };
+  std::erase_if(pairs, [&](const BodyPair& pair) {
+    const bool one = is_face(pair.first), two = is_face(pair.second);
+    return (one && two) || ((one || two) && sphere_gap(world, bodies, index_of(pair.first), index_of(pair.second)) >
+                                                world.skin + reach);
+  });
   for (const std::int32_t wall : walls)
     for (const std::int32_t body : ball_of)
-      if (sphere_gap(world, bodies, index_of(wall), index_of(body)) <= world.skin + reach)
+      if (!is_face(body) && sphere_gap(world, bodies, index_of(wall), index_of(body)) <= world.skin + reach)
         pairs.push_back({std::min(wall, body), std::max(wall, body)});
 
   std::vector<Candidate> found;
@@ -126,7 +140,10 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
     if (!bodies.is_free(one) && !bodies.is_free(two)) continue;
     const bool fast =
         is_superquadric(shape_of(world, bodies, one).shape) && is_superquadric(shape_of(world, bodies, two).shape);
-    const PairGroup group{fast ? NarrowPhase::superquadrics : NarrowPhase::any_shapes,
+    const bool with_face = is_face(pair.first) || is_face(pair.second);
+    const PairGroup group{fast        ? NarrowPhase::superquadrics
+                          : with_face ? NarrowPhase::faces
+                                      : NarrowPhase::any_shapes,
                           world.law_between(bodies.material[one], bodies.material[two])};
     found.push_back(make_candidate(group, pair, rank));
   }
@@ -222,11 +239,18 @@ PairChunk make_chunk(std::span<const Candidate> pairs, const std::vector<Place>&
   return chunk;
 }
 
-/// Where each chunk's candidates begin, and where the last one's end.
+/// Where each chunk's candidates begin, and where the last one's end. A particle's faces stay together: memory goes
+/// from one to the next.
 std::vector<Index> chunk_bounds(const std::vector<Candidate>& found) {
+  constexpr Index most_faces = PairChunk::most_pairs / 4;
   std::vector<Index> bounds{0};
-  for (Index i = 1; i < found.size(); ++i)
-    if (found[i].group != found[i - 1].group || i - bounds.back() == PairChunk::most_pairs) bounds.push_back(i);
+  for (Index i = 1; i < found.size(); ++i) {
+    const Index size = i - bounds.back();
+    const bool is_next_particle = found[i].group.narrow_phase == NarrowPhase::faces &&
+                                  found[i].earlier != found[i - 1].earlier &&
+                                  size >= PairChunk::most_pairs - most_faces;
+    if (found[i].group != found[i - 1].group || size == PairChunk::most_pairs || is_next_particle) bounds.push_back(i);
+  }
   if (!found.empty()) bounds.push_back(found.size());
   return bounds;
 }

@@ -45,4 +45,11 @@ std::size_t Random::pick(std::span<const double> weights) {
   return last;
 }
 
+std::uint64_t numbered_seed(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t z = seed + (number + 1) * 0x9e3779b97f4a7c15ULL;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31U);
+}
+
 }  // namespace osculate

@@ -23,8 +23,17 @@ std::uint64_t Simulation::steps() const {
 const Setup& Simulation::setup() const {
   return engine_->world().setup;
 }
+const PeriodicBox& Simulation::box() const {
+  return engine_->box();
+}
 const Bodies& Simulation::bodies() const {
   return engine_->bodies();
+}
+std::int32_t Simulation::first_face(std::size_t mesh) const {
+  return engine_->world().first_face.at(mesh);
+}
+std::span<const Poured> Simulation::poured() const {
+  return engine_->poured();
 }
 std::span<const BodyShape> Simulation::shapes() const {
   return engine_->world().shapes;

@@ -53,13 +53,6 @@ Extremes extremes_of(const BodyShape& shape) {
   return extremes;
 }
 
-/// A kind of body: bodies of a kind have the same impacts.
-struct BodyKind {
-  std::int32_t shape, material;
-  bool is_free;
-  friend auto operator<=>(const BodyKind&, const BodyKind&) = default;
-};
-
 double inverse_mass(const World& world, const Extremes& extremes, const BodyKind& kind) {
   if (!kind.is_free) return 0.0;
   const double density = world.setup.materials[static_cast<std::size_t>(kind.material)].density;
@@ -152,10 +145,9 @@ TimeStepLimits time_step_limits(const Setup& setup, double speed) {
   const World world = make_world(checked);
   std::vector<Extremes> extremes;
   for (const BodyShape& shape : world.shapes) extremes.push_back(extremes_of(shape));
-  std::set<BodyKind> kinds;
+  const std::set<BodyKind> kinds = body_kinds(world);
   TimeStepLimits limits{
       .contact_duration = infinity, .rayleigh_time = infinity, .shortest = {}, .recommended = 0, .largest = 0};
-  for (const BodyStart& body : setup.bodies) kinds.insert({body.shape, body.material, body.motion == Bodies::free});
 
   const auto shape_of = [&](const BodyKind& kind) -> const BodyShape& {
     return world.shapes[static_cast<std::size_t>(kind.shape)];

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "dynamics/pouring.hpp"
 #include "osculate/core/error.hpp"
 
 namespace osculate {
@@ -103,11 +104,17 @@ std::vector<std::int32_t> laws_of(const Setup& setup) {
 void require_laws(const World& world) {
   const Setup& setup = world.setup;
   std::vector<std::int64_t> free(setup.materials.size(), 0), all(setup.materials.size(), 0);
-  for (const BodyStart& body : setup.bodies) {
+  for (const BodyStart& body : world.starts) {
     const auto material = static_cast<std::size_t>(body.material);
     ++all[material];
     if (body.motion == Bodies::free) ++free[material];
   }
+  for (const Pour& pour : setup.pours)
+    for (const Kind& kind : pour.kinds) {
+      constexpr std::int64_t several = 2;
+      all[static_cast<std::size_t>(kind.material)] += several;
+      free[static_cast<std::size_t>(kind.material)] += several;
+    }
   for (std::size_t one = 0; one < all.size(); ++one)
     for (std::size_t two = 0; two < all.size(); ++two) {
       const bool may_meet = free[one] > 0 && all[two] > (one == two ? 1 : 0);
@@ -118,6 +125,31 @@ void require_laws(const World& world) {
     }
 }
 
+void add_meshes(World& world) {
+  const Setup& setup = world.setup;
+  world.starts = setup.bodies;
+  for (std::size_t m = 0; m < setup.meshes.size(); ++m) {
+    const MeshStart& mesh = setup.meshes[m];
+    const std::string where = "mesh " + std::to_string(m);
+    require_index(mesh.material, setup.materials.size(), where, "material");
+    require_index(mesh.motion, setup.motions.size(), where, "motion");
+    constexpr double unit_tolerance = 1e-6;
+    require(mesh.pose.position.allFinite() && std::fabs(mesh.pose.orientation.norm() - 1.0) <= unit_tolerance, where,
+            "a pose that is none", "a finite position and a unit quaternion");
+    require(!setup.box.repeats(), where, "a surface of triangles in a periodic box", "space that does not repeat");
+    world.first_face.push_back(static_cast<std::int32_t>(world.starts.size()));
+    at_place(where, [&] {
+      for (const BodyShape& face : face_shapes(mesh.triangles)) {
+        world.starts.push_back({.shape = static_cast<std::int32_t>(world.shapes.size()),
+                                .material = mesh.material,
+                                .motion = mesh.motion,
+                                .pose = mesh.pose});
+        world.shapes.push_back(face);
+      }
+    });
+  }
+}
+
 }  // namespace
 
 World make_world(const Setup& setup) {
@@ -125,20 +157,23 @@ World make_world(const Setup& setup) {
   check_materials(setup);
   World world;
   world.setup = setup;
+  world.box = setup.box;
   world.law_of = laws_of(setup);
   for (std::size_t i = 0; i < setup.shapes.size(); ++i)
     at_place("shape " + std::to_string(i), [&] { world.shapes.push_back(body_shape(setup.shapes[i])); });
   for (std::size_t i = 0; i < setup.motions.size(); ++i)
     at_place("motion " + std::to_string(i), [&] { validate(setup.motions[i]); });
 
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) check_body(setup, i);
+  for (std::size_t i = 0; i < setup.pours.size(); ++i) check_pour(setup, setup.pours[i], "pour " + std::to_string(i));
+  add_meshes(world);
   bool any_free = false;
   double least_radius = std::numeric_limits<double>::infinity(), most_radius = 0.0, most_volume_radius = 0.0;
   world.least_half_width = least_radius;
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    check_body(setup, i);
-    any_free = any_free || setup.bodies[i].motion == Bodies::free;
-    const BodyShape& shape = world.shapes[static_cast<std::size_t>(setup.bodies[i].shape)];
-    if (!std::isfinite(shape.bounding_radius)) continue;
+  for (const BodyKind& kind : body_kinds(world)) {
+    any_free = any_free || kind.is_free;
+    const BodyShape& shape = world.shapes[static_cast<std::size_t>(kind.shape)];
+    if (!is_particle(shape.shape)) continue;
     least_radius = std::min(least_radius, shape.bounding_radius);
     most_radius = std::max(most_radius, shape.bounding_radius);
     most_volume_radius = std::max(most_volume_radius, shape.volume_radius);
@@ -146,6 +181,13 @@ World make_world(const Setup& setup) {
   }
   require(any_free, "bodies", std::to_string(setup.bodies.size()) + " bodies, none of them free", "a free body");
   require_laws(world);
+  if (setup.box.shear) {
+    const bool any_driven = std::any_of(setup.bodies.begin(), setup.bodies.end(),
+                                        [](const BodyStart& body) { return body.motion != Bodies::free; });
+    require(!any_driven, "sheared box", "a wall or another driven body",
+            "free bodies only: images of others would move");
+    require(setup.pours.empty(), "sheared box", "a pour", "particles that are there from the start");
+  }
   world.skin = setup.skin * least_radius;
   const double flattest = setup.radius_cap * most_volume_radius;
   double reach = 0.0;
@@ -163,31 +205,45 @@ void validate(const Setup& setup) {
   make_world(setup);
 }
 
-Bodies make_bodies(const World& world) {
-  const std::vector<BodyStart>& starts = world.setup.bodies;
-  Bodies bodies;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const BodyStart& start = starts[i];
-    const BodyShape& shape = world.shapes[static_cast<std::size_t>(start.shape)];
-    const double density = world.setup.materials[static_cast<std::size_t>(start.material)].density;
-    const double mass = density * shape.volume;
-    const Vec3 inertia = density * shape.inertia;
-    const Quat orientation = start.pose.orientation.normalized();
-    const bool is_free = start.motion == Bodies::free;
-    require(!is_free || (mass > 0.0 && inertia.minCoeff() > 0.0 && std::isfinite(mass)), "body " + std::to_string(i),
-            "mass " + number(mass) + " kg", "a finite mass and inertia > 0");
-    bodies.shape.push_back(start.shape);
-    bodies.material.push_back(start.material);
-    bodies.motion.push_back(start.motion);
-    bodies.position.push_back(start.pose.position);
-    bodies.orientation.push_back(orientation);
-    bodies.velocity.push_back(start.velocity);
-    bodies.angular_momentum.push_back(inertia.cwiseProduct(orientation.conjugate() * start.angular_velocity));
-    bodies.force.push_back(Vec3::Zero());
-    bodies.torque.push_back(Vec3::Zero());
-    bodies.mass.push_back(mass);
-    bodies.inertia.push_back(inertia);
+std::set<BodyKind> body_kinds(const World& world) {
+  std::set<BodyKind> kinds;
+  for (const BodyStart& body : world.setup.bodies)
+    kinds.insert({body.shape, body.material, body.motion == Bodies::free});
+  for (const std::int32_t face : world.first_face) {  // one stands for all of a mesh
+    const BodyStart& start = world.starts[static_cast<std::size_t>(face)];
+    kinds.insert({start.shape, start.material, false});
   }
+  for (const Pour& pour : world.setup.pours)
+    for (const Kind& kind : pour.kinds) kinds.insert({kind.shape, kind.material, true});
+  return kinds;
+}
+
+void append_body(const World& world, const BodyStart& start, const std::string& where, Bodies& bodies) {
+  const BodyShape& shape = world.shapes[static_cast<std::size_t>(start.shape)];
+  const double density = world.setup.materials[static_cast<std::size_t>(start.material)].density;
+  const double mass = density * shape.volume;
+  const Vec3 inertia = density * shape.inertia;
+  const Quat orientation = start.pose.orientation.normalized();
+  const bool is_free = start.motion == Bodies::free;
+  require(!is_free || (mass > 0.0 && inertia.minCoeff() > 0.0 && std::isfinite(mass)), where,
+          "mass " + number(mass) + " kg", "a finite mass and inertia > 0");
+  bodies.shape.push_back(start.shape);
+  bodies.material.push_back(start.material);
+  bodies.motion.push_back(start.motion);
+  bodies.position.push_back(start.pose.position);
+  bodies.orientation.push_back(orientation);
+  bodies.velocity.push_back(start.velocity);
+  bodies.angular_momentum.push_back(inertia.cwiseProduct(orientation.conjugate() * start.angular_velocity));
+  bodies.force.push_back(Vec3::Zero());
+  bodies.torque.push_back(Vec3::Zero());
+  bodies.mass.push_back(mass);
+  bodies.inertia.push_back(inertia);
+}
+
+Bodies make_bodies(const World& world) {
+  Bodies bodies;
+  for (const BodyStart& start : world.starts)
+    append_body(world, start, "body " + std::to_string(bodies.size()), bodies);
   return bodies;
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "geometry/contact_rows.hpp"
 #include "geometry/pair_job.hpp"
 #include "geometry/pair_order.hpp"
 
@@ -11,27 +12,6 @@ namespace {
 Pose pose_at(const Columns<2 * ShapePairs::per_pose>& columns, std::size_t first, std::size_t i) {
   const auto at = [&](std::size_t k) { return columns[first + k][i]; };
   return {Vec3(at(0), at(1), at(2)), Quat(at(3), at(4), at(5), at(6))};
-}
-
-void set(ContactColumns& contacts, std::size_t i, const ContactGeometry& contact) {
-  std::size_t k = 0;
-  const auto put = [&](double value) { contacts.columns[k++][i] = value; };
-  const auto put_vector = [&](const Vec3& v) {
-    for (double value : v) put(value);
-  };
-  contacts.statuses[i] = contact.status;
-  put_vector(contact.normal);
-  put(contact.overlap);
-  put_vector(contact.on_1);
-  put_vector(contact.on_2);
-  for (const PrincipalCurvatures& curvature : {contact.curvature_1, contact.curvature_2}) {
-    put(curvature.max);
-    put(curvature.min);
-    put_vector(curvature.max_direction);
-  }
-  put(contact.relative.R_i);
-  put(contact.relative.R_j);
-  put_vector(contact.relative.major_axis);
 }
 
 /// What is being solved of a pair, and whether it was turned round for it.
@@ -113,7 +93,7 @@ void common_normals(const ShapePairs& pairs, ContactCaches& caches, ContactColum
       swap_bodies(row.contact);
     }
     caches.set(row.index, row.cache);
-    set(contacts, row.index, row.contact);
+    set_row(contacts, row.index, row.contact);
   }
 }
 

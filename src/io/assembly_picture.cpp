@@ -83,6 +83,45 @@ void add_walls(Picture& picture, const std::vector<PlacedShape>& walls, const Bo
   }
 }
 
+/// A surface that lets the particles be seen on either side, and its edges where it turns.
+void add_mesh(Picture& picture, const ResultsMesh& mesh, const Pose& pose) {
+  constexpr double opacity = 0.35, turns = 0.9;  // the cosine between faces whose edge is drawn
+  PictureBody body{.mesh = {}, .colour = wall_colour, .opacity = opacity};
+  const MeshSurface surface = mesh_surface(mesh.triangles);
+  for (const SurfaceFace& face : surface.faces) {
+    const Vec3 normal = pose.rotate_to_world(face.normal);
+    const bool shown = normal.dot(picture.view.towards_viewer) >= 0.0;
+    const int first = static_cast<int>(body.mesh.vertices.size());
+    for (const Vec3& corner : face.corners) {
+      body.mesh.vertices.push_back(pose.to_world(corner));
+      body.mesh.normals.push_back(shown ? normal : Vec3(-normal));
+    }
+    body.mesh.triangles.push_back({first, shown ? first + 1 : first + 2, shown ? first + 2 : first + 1});
+  }
+  picture.bodies.push_back(std::move(body));
+  for (const SurfaceEdge& edge : surface.edges) {
+    const auto normal = [&](std::size_t k) { return surface.faces[static_cast<std::size_t>(edge.faces[k])].normal; };
+    if (edge.faces.size() == 2 && std::fabs(normal(0).dot(normal(1))) > turns) continue;
+    picture.lines.push_back(
+        {.points = {pose.to_world(edge.from), pose.to_world(edge.from + edge.length * edge.direction)},
+         .colour = edge_colour,
+         .width = 1.6});
+  }
+}
+
+/// Meshes are seen as far as the particles are large.
+Box with_meshes(const Box& particles, const ParticleFrame& frame, const ResultsHead& head) {
+  const Vec3 margin = Vec3::Constant((particles.upper - particles.lower).norm());
+  Box extent = particles;
+  for (std::size_t m = 0; m < head.meshes.size(); ++m)
+    for (const Vec3& vertex : head.meshes[m].triangles.vertices) {
+      const Vec3 at = frame.meshes.at(m).to_world(vertex);
+      const Vec3 near = at.cwiseMax(particles.lower - margin).cwiseMin(particles.upper + margin);
+      extent = united(extent, {near, near});
+    }
+  return extent;
+}
+
 std::vector<PlacedShape> placed_walls(const ParticleFrame& frame, const ResultsHead& head) {
   std::vector<PlacedShape> walls;
   for (std::size_t w = 0; w < head.walls.size(); ++w) walls.push_back({head.walls[w].shape, frame.walls.at(w)});
@@ -145,7 +184,7 @@ Box extent_of(const ParticleFrame& frame, const ResultsHead& head) {
     const Vec3 reach = Vec3::Constant(radius[frame.shape[i]]);
     extent = united(extent, {frame.position[i] - reach, frame.position[i] + reach});
   }
-  extent = with_drums(extent, placed_walls(frame, head));
+  extent = with_meshes(with_drums(extent, placed_walls(frame, head)), frame, head);
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(head.box.length[axis])) continue;
     extent.lower[axis] = std::min(extent.lower[axis], head.box.origin[axis]);
@@ -209,6 +248,7 @@ Picture assembly_picture(const ParticleFrame& frame, const ResultsHead& head, co
   picture.shade_radius = 0.9 * largest;
   const Vec3 margin = Vec3::Constant(0.5 * largest);
   add_walls(picture, placed_walls(frame, head), {look.extent.lower - margin, look.extent.upper + margin});
+  for (std::size_t m = 0; m < head.meshes.size(); ++m) add_mesh(picture, head.meshes[m], frame.meshes.at(m));
   add_periodic_box(picture, head.box, look.extent);
   return picture;
 }

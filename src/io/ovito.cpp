@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "io/assembly_picture.hpp"
@@ -30,6 +32,20 @@ OvitoShape drawn(const Other& shape) {
   return {Vec3::Constant(volume_equivalent_radius(mass_properties(Shape(shape)).volume)), 1.0, 1.0, true};
 }
 
+/// A sheared box as a tilted one.
+struct Tilt {
+  int flow;
+  int place;   ///< among xy, xz, yz
+  double way;  ///< [m]
+};
+
+/// Nothing without shear, and along an axis across an earlier one: tilts of that kind have no place in a dump.
+std::optional<Tilt> tilt_of(const PeriodicBox& box) {
+  if (!box.shear || box.shear->flow > box.shear->gradient) return std::nullopt;
+  const auto flow = static_cast<int>(box.shear->flow), gradient = static_cast<int>(box.shear->gradient);
+  return Tilt{flow, flow + gradient - 1, box.shear->offset};
+}
+
 }  // namespace
 
 OvitoShape ovito_shape(const Shape& particle) {
@@ -42,15 +58,23 @@ std::string dump_block(const ParticleFrame& frame, const ResultsHead& head) {
   for (const ResultsShape& shape : head.shapes) shapes.push_back(ovito_shape(shape.shape));
   std::string text = fmt::format("ITEM: TIME\n{:.17g}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS",
                                  frame.time, frame.step, frame.size());
-  const Box extent = extent_of(frame, head);
+  const Box extent = frame.size() > 0 ? extent_of(frame, head) : Box{Vec3::Zero(), Vec3::Zero()};
   const auto repeats = [&](int axis) { return std::isfinite(head.box.length[axis]); };
+  const std::optional<Tilt> tilt = tilt_of(at_time(head.box, frame.time));
+  if (tilt) text += " xy xz yz";
   for (int axis = 0; axis < 3; ++axis) text += repeats(axis) ? " pp" : " ff";
   text += '\n';
   const auto out = std::back_inserter(text);
   for (int axis = 0; axis < 3; ++axis) {
     const double lower = repeats(axis) ? head.box.origin[axis] : extent.lower[axis];
     const double upper = repeats(axis) ? lower + head.box.length[axis] : extent.upper[axis];
-    fmt::format_to(out, "{:.17g} {:.17g}\n", lower, upper);
+    // LAMMPS writes the box around a tilted one, and the tilts xy, xz and yz behind.
+    if (tilt && axis == tilt->flow)
+      fmt::format_to(out, "{:.17g} {:.17g}", lower + std::min(tilt->way, 0.0), upper + std::max(tilt->way, 0.0));
+    else
+      fmt::format_to(out, "{:.17g} {:.17g}", lower, upper);
+    if (tilt) fmt::format_to(out, " {:.17g}", axis == tilt->place ? tilt->way : 0.0);
+    text += '\n';
   }
   text +=
       "ITEM: ATOMS id type x y z vx vy vz AngularVelocity.X AngularVelocity.Y AngularVelocity.Z AsphericalShape.X "

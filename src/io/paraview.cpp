@@ -64,6 +64,23 @@ std::string particle_surfaces(const ParticleFrame& frame, const ResultsHead& hea
   return surface.bytes();
 }
 
+std::string mesh_surfaces(const ParticleFrame& frame, const ResultsHead& head) {
+  std::vector<float> points;
+  std::vector<std::int32_t> triangles, id;
+  for (std::size_t m = 0; m < head.meshes.size(); ++m) {
+    const SurfaceTriangles& mesh = head.meshes[m].triangles;
+    const auto first = static_cast<std::int32_t>(points.size() / 3);
+    for (const Vec3& vertex : mesh.vertices) append(points, frame.meshes.at(m).to_world(vertex));
+    id.insert(id.end(), mesh.vertices.size(), static_cast<std::int32_t>(head.meshes[m].id));
+    for (const auto& triangle : mesh.triangles)
+      for (const int corner : triangle) triangles.push_back(first + corner);
+  }
+  VtkSurface surface(points, triangles);
+  surface.set_time(frame.time);
+  surface.add_point_data("id", id);
+  return surface.bytes();
+}
+
 void write_paraview(const ResultsFile& results, int resolution, const std::filesystem::path& path,
                     const std::function<void(std::size_t)>& written) {
   if (path.extension() != ".pvd") {
@@ -80,6 +97,12 @@ void write_paraview(const ResultsFile& results, int resolution, const std::files
     write_atomically((folder / name).string(), particle_surfaces(frame, results.head(), resolution));
     series += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}/{}\"/>\n", frame.time,
                           folder.filename().string(), name);
+    if (!results.head().meshes.empty()) {
+      const std::string meshes = fmt::format("meshes_{:06}.vtp", i);
+      write_atomically((folder / meshes).string(), mesh_surfaces(frame, results.head()));
+      series += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"1\" file=\"{}/{}\"/>\n", frame.time,
+                            folder.filename().string(), meshes);
+    }
     written(i + 1);
   }
   write_atomically(path.string(), series + "</Collection>\n</VTKFile>\n");

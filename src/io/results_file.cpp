@@ -44,6 +44,16 @@ Hdf5Handle open_to_read(const std::filesystem::path& path) {
   return {file, H5Fclose};
 }
 
+std::vector<Pose> read_poses(hid_t file, const std::string& what) {
+  const std::vector<Vec3> positions = read_vectors(file, what + "_position");
+  const std::vector<Quat> orientations = read_rotations(file, what + "_orientation");
+  if (positions.size() != orientations.size())
+    throw std::runtime_error("positions and orientations of different number in " + what);
+  std::vector<Pose> poses;
+  for (std::size_t k = 0; k < positions.size(); ++k) poses.push_back({positions[k], orientations[k]});
+  return poses;
+}
+
 void require_sizes(const ParticleFrame& frame, const ResultsHead& head, const std::string& path) {
   const std::size_t count = frame.id.size();
   if (frame.shape.size() != count || frame.position.size() != count || frame.orientation.size() != count ||
@@ -53,6 +63,8 @@ void require_sizes(const ParticleFrame& frame, const ResultsHead& head, const st
     if (shape >= head.shapes.size()) throw std::runtime_error(fmt::format("shape {} in {}", shape, path));
   if (frame.walls.size() != head.walls.size())
     throw std::runtime_error(fmt::format("{} walls in {}", frame.walls.size(), path));
+  if (frame.meshes.size() != head.meshes.size())
+    throw std::runtime_error(fmt::format("{} meshes in {}", frame.meshes.size(), path));
 }
 
 }  // namespace
@@ -93,10 +105,8 @@ ParticleFrame ResultsFile::frame(std::size_t i) const {
                         .velocity = read_vectors(file, path + "/velocity"),
                         .angular_velocity = read_vectors(file, path + "/angular_velocity"),
                         .walls = {}};
-    const std::vector<Vec3> positions = read_vectors(file, path + "/wall_position");
-    const std::vector<Quat> orientations = read_rotations(file, path + "/wall_orientation");
-    if (positions.size() != orientations.size()) throw std::runtime_error("walls of different number in " + path);
-    for (std::size_t k = 0; k < positions.size(); ++k) frame.walls.push_back({positions[k], orientations[k]});
+    frame.walls = read_poses(file, path + "/wall");
+    if (!head_.meshes.empty()) frame.meshes = read_poses(file, path + "/mesh");
     require_sizes(frame, head_, path);
     return frame;
   });

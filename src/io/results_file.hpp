@@ -11,6 +11,7 @@
 
 #include "io/number_table.hpp"
 #include "osculate/dynamics/periodic_box.hpp"
+#include "osculate/geometry/mesh_surface.hpp"
 #include "osculate/shapes/shape.hpp"
 
 namespace osculate::io {
@@ -27,6 +28,7 @@ struct ParticleFrame {
   std::vector<Vec3> velocity;          ///< of the centroid [m/s]
   std::vector<Vec3> angular_velocity;  ///< [rad/s], world
   std::vector<Pose> walls;             ///< where the walls are, one for each of ResultsFile::walls()
+  std::vector<Pose> meshes = {};       ///< where the meshes are, one for each of ResultsHead::meshes
 
   std::size_t size() const { return position.size(); }
   Pose pose(std::size_t i) const { return {position[i], orientation[i]}; }
@@ -58,6 +60,13 @@ struct ResultsWall {
   Shape shape;       ///< a wall
 };
 
+/// A surface of triangles that particles touch.
+struct ResultsMesh {
+  std::string name;
+  std::uint32_t id;  ///< of its first face as a body; the others follow
+  SurfaceTriangles triangles;
+};
+
 /// What is known before the first frame.
 struct ResultsHead {
   std::string title;
@@ -67,6 +76,7 @@ struct ResultsHead {
   PeriodicBox box;
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double time_step = 0.0;       ///< [s]
+  std::vector<ResultsMesh> meshes = {};
 };
 
 /// A results file to read. It may be one that is still being written: then it ends with the last whole frame.

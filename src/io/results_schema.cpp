@@ -79,6 +79,25 @@ Shape read_shape_at(hid_t file, const std::string& path) {
   return particle;
 }
 
+ResultsMesh read_mesh(hid_t file, const std::string& path) {
+  const std::vector<std::uint32_t> id = read_indices(file, path + "/id", 1).values;
+  if (id.size() != 1) throw std::runtime_error("a table where one value was expected");
+  ResultsMesh mesh{.name = read_text(file, path + "/name"),
+                   .id = id[0],
+                   .triangles = {.vertices = read_vectors(file, path + "/vertices"), .triangles = {}}};
+  const Rows<std::uint32_t> triangles = read_indices(file, path + "/triangles", 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    std::array<int, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = triangles.values[3 * i + k];
+      if (vertex >= mesh.triangles.vertices.size()) throw std::runtime_error("a triangle without vertices in " + path);
+      corners[k] = static_cast<int>(vertex);
+    }
+    mesh.triangles.triangles.push_back(corners);
+  }
+  return mesh;
+}
+
 std::string entry(const char* group, std::size_t i) {
   return fmt::format("{}/{:06}", group, i);
 }
@@ -93,6 +112,9 @@ void write_head(hid_t file, const ResultsHead& head) {
   write_text(file, "scene", head.scene);
   write_vectors(file, "gravity", {head.gravity});
   if (head.box.repeats()) write_vectors(file, "periodic_box", {head.box.origin, head.box.length});
+  if (const auto& shear = head.box.shear)
+    write_rows(file, "box_shear",
+               Rows<double>{3, {static_cast<double>(shear->flow), static_cast<double>(shear->gradient), shear->rate}});
   make_group(file, "shapes");
   for (std::size_t i = 0; i < head.shapes.size(); ++i) {
     const ResultsShape& shape = head.shapes[i];
@@ -110,6 +132,17 @@ void write_head(hid_t file, const ResultsHead& head) {
     write_shape(file, path, head.walls[i].shape);
     write_text(file, path + "/name", head.walls[i].name);
     write_rows(file, path + "/id", Rows<std::uint32_t>{1, {head.walls[i].id}});
+  }
+  for (std::size_t i = 0; i < head.meshes.size(); ++i) {
+    const std::string path = entry("meshes", i);
+    const ResultsMesh& mesh = head.meshes[i];
+    Rows<std::uint32_t> triangles{3, {}};
+    for (const auto& triangle : mesh.triangles.triangles)
+      for (const int vertex : triangle) triangles.values.push_back(static_cast<std::uint32_t>(vertex));
+    write_vectors(file, path + "/vertices", mesh.triangles.vertices);
+    write_rows(file, path + "/triangles", triangles);
+    write_text(file, path + "/name", mesh.name);
+    write_rows(file, path + "/id", Rows<std::uint32_t>{1, {mesh.id}});
   }
   const Hdf5Handle frames = make_group(file, "frames");
   write_count(frames, "count", 0);
@@ -150,6 +183,13 @@ ResultsHead read_head(hid_t file) {
     const std::vector<Vec3> box = read_vectors(file, "periodic_box");
     if (box.size() != 2) throw std::runtime_error("a periodic box of another form than origin and length");
     head.box = {.origin = box[0], .length = box[1]};
+    if (has_path(file, "box_shear")) {
+      const std::vector<double> shear = read_rows(file, "box_shear", 3).values;
+      if (shear.size() != 3) throw std::runtime_error("a shear of another form than flow, gradient and rate");
+      head.box.shear = BoxShear{.flow = static_cast<Eigen::Index>(shear[0]),
+                                .gradient = static_cast<Eigen::Index>(shear[1]),
+                                .rate = shear[2]};
+    }
   }
   for (const std::string& name : members(file, "shapes")) {
     const std::string path = "shapes/" + name;
@@ -166,6 +206,8 @@ ResultsHead read_head(hid_t file) {
                           .id = one(read_indices(file, path + "/id", 1).values),
                           .shape = read_shape_at(file, path)});
   }
+  if (has_path(file, "meshes"))
+    for (const std::string& name : members(file, "meshes")) head.meshes.push_back(read_mesh(file, "meshes/" + name));
   return head;
 }
 

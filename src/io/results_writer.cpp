@@ -49,6 +49,17 @@ void set_frame_count(hid_t file, std::size_t count) {
   write_count(frames, "count", count);
 }
 
+void write_poses(hid_t file, const std::string& what, const std::vector<Pose>& poses) {
+  std::vector<Vec3> positions;
+  std::vector<Quat> orientations;
+  for (const Pose& pose : poses) {
+    positions.push_back(pose.position);
+    orientations.push_back(pose.orientation);
+  }
+  write_vectors(file, what + "_position", positions);
+  write_rotations(file, what + "_orientation", orientations);
+}
+
 void write_frame(hid_t file, const std::string& path, const ParticleFrame& frame) {
   const Hdf5Handle group = make_group(file, path);
   write_number(group, "time", frame.time);
@@ -59,14 +70,8 @@ void write_frame(hid_t file, const std::string& path, const ParticleFrame& frame
   write_rotations(file, path + "/orientation", frame.orientation);
   write_vectors(file, path + "/velocity", frame.velocity);
   write_vectors(file, path + "/angular_velocity", frame.angular_velocity);
-  std::vector<Vec3> positions;
-  std::vector<Quat> orientations;
-  for (const Pose& wall : frame.walls) {
-    positions.push_back(wall.position);
-    orientations.push_back(wall.orientation);
-  }
-  write_vectors(file, path + "/wall_position", positions);
-  write_rotations(file, path + "/wall_orientation", orientations);
+  write_poses(file, path + "/wall", frame.walls);
+  if (!frame.meshes.empty()) write_poses(file, path + "/mesh", frame.meshes);
 }
 
 void write_contacts(hid_t file, const std::string& path, const ContactFrame& frame) {

@@ -34,6 +34,7 @@ struct Scene {
   std::vector<std::string> shape_names;       ///< one for each of the setup's
   std::vector<std::int32_t> shape_materials;  ///< index into Setup::materials, one for each shape
   std::vector<SceneWall> walls;               ///< bodies whose shape is a wall, in the order of the bodies
+  std::vector<std::string> mesh_names;        ///< one for each of the setup's
   double duration = 0.0;                      ///< [s]
   double speed = 0.0;                         ///< the fastest impact to be expected [m/s]
   TimeStepLimits limits{};

@@ -5,6 +5,7 @@
 
 #include "io/body_keys.hpp"
 #include "io/number_table.hpp"
+#include "io/polyhedron.hpp"
 #include "io/scene_parts.hpp"
 #include "io/shape_file.hpp"
 #include "osculate/dynamics/size_distribution.hpp"
@@ -134,12 +135,37 @@ void add_wall(const Placed& placed, const std::string& name, std::int32_t materi
                                 .pose = placed.pose});
 }
 
+/// A surface from a file, whose polygons become triangles around their first corners.
+MeshStart read_mesh(const TomlTable& table, const std::string& unit, std::int32_t material, std::int32_t motion) {
+  const double metre = *length().in_si(unit) * table.number_or("scale", 1.0, Range::positive());
+  MeshStart mesh{.triangles = {},
+                 .material = material,
+                 .motion = motion,
+                 .pose = {.position = Vec3::Zero(), .orientation = read_orientation(table)}};
+  if (table.has("position")) mesh.pose.position = table.vector("position", length(), Range::any(), unit);
+  const std::filesystem::path path = table.file().parent_path() / table.text("file");
+  try {
+    const Polyhedron solid = read_polyhedron(path);
+    for (const Vec3& vertex : solid.vertices) mesh.triangles.vertices.push_back(metre * vertex);
+    for (const std::vector<int>& polygon : solid.polygons)
+      for (std::size_t k = 2; k < polygon.size(); ++k)
+        mesh.triangles.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    mesh_surface(mesh.triangles);
+  } catch (const InputError& error) {
+    throw InputError(table.where("file"), error);
+  }
+  return mesh;
+}
+
 void read_walls(const TomlTable& table, const std::string& unit, Scene& scene) {
-  const std::string kind = table.choice("kind", {"plane", "cylinder", "sphere", "box"});
+  const std::string kind = table.choice("kind", {"plane", "cylinder", "sphere", "box", "mesh"});
   const std::string name = table.text_or("name", kind);
   const std::int32_t material = material_index(table, scene);
   const std::int32_t motion = add_motion(table, unit, scene.setup);
-  if (kind == "box")
+  if (kind == "mesh") {
+    scene.mesh_names.push_back(name);
+    scene.setup.meshes.push_back(read_mesh(table, unit, material, motion));
+  } else if (kind == "box")
     for (const auto& [side, placed] : read_box(table, unit))
       add_wall(placed, fmt::format("{} {}", name, side), material, motion, scene);
   else

@@ -21,6 +21,17 @@ std::string length_unit(const TomlTable& file) {
   return unit;
 }
 
+BoxShear read_shear(const TomlTable& table) {
+  const std::vector<std::string> axes{"x", "y", "z"};
+  const auto axis = [&](const char* key) {
+    return std::find(axes.begin(), axes.end(), table.choice(key, axes)) - axes.begin();
+  };
+  const BoxShear shear{
+      .flow = axis("flow"), .gradient = axis("gradient"), .rate = table.quantity("rate", shear_rate(), Range::any())};
+  table.reject_unknown_keys();
+  return shear;
+}
+
 /// `x = [lower, upper]` and so on under [periodic].
 PeriodicBox read_periodic(const TomlTable& file, const std::string& unit) {
   PeriodicBox box;
@@ -35,8 +46,21 @@ PeriodicBox read_periodic(const TomlTable& file, const std::string& unit) {
     box.origin[k] = metre * ends[0];
     box.length[k] = metre * (ends[1] - ends[0]);
   }
+  if (table.has("shear")) box.shear = read_shear(table.table("shear"));
   table.reject_unknown_keys();
+  try {
+    validate(box);
+  } catch (const InputError& error) {
+    throw InputError(table.where(), error);
+  }
   return box;
+}
+
+/// Particles start with the flow of a sheared box, on top of their own velocities.
+void add_flow(Setup& setup) {
+  const Vec3 middle = setup.box.origin + 0.5 * setup.box.length;
+  for (BodyStart& body : setup.bodies)
+    if (body.motion == Bodies::free) body.velocity += image_velocity(setup.box, body.pose.position - middle);
 }
 
 double speed_of(const Motion& motion, const Vec3& from, double reach) {
@@ -88,6 +112,21 @@ double expected_speed(const Setup& setup) {
       lowest = std::max(lowest, curved ? depth + reach : depth);
     }
   }
+  for (const MeshStart& mesh : setup.meshes) {
+    double far = 0.0;
+    for (const Vec3& vertex : mesh.triangles.vertices) {
+      far = std::max(far, vertex.norm());
+      lowest = std::max(lowest, down.dot(mesh.pose.to_world(vertex)));
+    }
+    driven = std::max(driven, speed_of(setup.motions[static_cast<std::size_t>(mesh.motion)], mesh.pose.position, far));
+  }
+  constexpr double deviations = 3.0;
+  for (const Pour& pour : setup.pours) {
+    own = std::max(own, pour.velocity.norm() + deviations * pour.fluctuation);
+    const BoxRegion region = bounds(pour.region);
+    highest = std::min(highest, down.cwiseMin(0.0).dot(region.upper) + down.cwiseMax(0.0).dot(region.lower));
+  }
+  if (setup.box.shear) driven += std::fabs(setup.box.shear->rate) * setup.box.length[setup.box.shear->gradient];
   return own + driven + std::sqrt(2.0 * g * std::max(lowest - highest, 0.0));
 }
 
@@ -146,7 +185,8 @@ std::string text_of(const std::filesystem::path& path) {
 
 void require_particles(const TomlTable& file, const Scene& scene) {
   const auto& bodies = scene.setup.bodies;
-  if (std::none_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion == Bodies::free; }))
+  if (scene.setup.pours.empty() &&
+      std::none_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion == Bodies::free; }))
     throw InputError(file.where(), "found a scene without particles", "an [[insert]] that brings some in");
 }
 
@@ -154,10 +194,15 @@ void require_particles(const TomlTable& file, const Scene& scene) {
 void add_warnings(const TomlTable& file, Scene& scene) {
   const auto& bodies = scene.setup.bodies;
   const bool any_driven =
+      !scene.setup.meshes.empty() ||
       std::any_of(bodies.begin(), bodies.end(), [](const BodyStart& body) { return body.motion != Bodies::free; });
   if (!scene.setup.gravity.isZero(0.0) && !any_driven)
     scene.warnings.push_back(
         fmt::format("{}: gravity, and neither walls nor obstacles: everything falls for ever", file.where("gravity")));
+  for (const Pour& pour : scene.setup.pours)
+    if (pour.begin >= scene.duration)
+      scene.warnings.push_back(fmt::format("{}: a pour begins at {:.4g} s, when the run of {:.4g} s is over",
+                                           scene.file.string(), pour.begin, scene.duration));
   if (scene.output.interval > scene.duration)
     scene.warnings.push_back(
         fmt::format("{}: an interval of {:.4g} s is longer than the run: frames of the start and the end only",
@@ -194,6 +239,7 @@ Scene read_scene(const std::filesystem::path& path) {
   read_boundaries(file, unit, scene);
   read_insertions(file, unit, kinds, scene);
   require_particles(file, scene);
+  if (setup.box.shear) add_flow(setup);
   read_time(file, scene);
   read_output(file, unit, scene);
   file.reject_unknown_keys();

@@ -119,6 +119,34 @@ void insert_at_random(const Insertion& insertion) {
   }
 }
 
+/// What comes in while the simulation runs.
+void add_pour(const Insertion& insertion) {
+  const TomlTable& table = insertion.table;
+  if (table.has("rate") == table.has("mass_rate"))
+    throw InputError(table.where(), table.has("rate") ? "found both rate and mass_rate" : "found no rate",
+                     "either rate, in particles a second, or mass_rate, such as \"20 g/s\"");
+  const bool by_mass = table.has("mass_rate");
+  Pour pour{.region = read_region(table.table("region"), insertion.unit),
+            .kinds = insertion.kinds,
+            .rate = by_mass ? table.quantity("mass_rate", mass_rate(), Range::positive())
+                            : table.number("rate", Range::positive()),
+            .measure = by_mass ? Pour::Measure::mass : Pour::Measure::particles,
+            .seed = insertion.seed,
+            .velocity = insertion.velocity,
+            .fluctuation = insertion.fluctuation};
+  if (table.has("begin")) pour.begin = table.quantity("begin", duration(), Range::not_negative());
+  if (table.has("end")) {
+    pour.end = table.quantity("end", duration(), Range::positive());
+    if (pour.end <= pour.begin)
+      throw table.error("end", fmt::format("{:g} s", pour.end),
+                        fmt::format("a time after the beginning, {:g} s", pour.begin));
+  }
+  if (table.has("count")) pour.most = static_cast<std::uint64_t>(table.integer("count", 1, most_particles));
+  if (table.has("gap")) pour.gap = table.quantity("gap", length(), Range::not_negative(), insertion.unit);
+  if (table.has("tries")) pour.tries = table.integer("tries", 1, std::numeric_limits<int>::max());
+  insertion.scene.setup.pours.push_back(pour);
+}
+
 const Kind& only_kind(const Insertion& insertion) {
   if (insertion.kinds.size() != 1)
     throw insertion.table.error("particles", fmt::format("{} shapes", insertion.kinds.size()),
@@ -195,7 +223,7 @@ void read_insertions(const TomlTable& file, const std::string& unit, const std::
                      Scene& scene) {
   std::uint64_t number = 0;
   for (const TomlTable& table : file.tables("insert")) {
-    const std::string how = table.choice("how", {"lattice", "random", "single", "file"});
+    const std::string how = table.choice("how", {"lattice", "random", "pour", "single", "file"});
     Insertion insertion{.table = table,
                         .unit = unit,
                         .scene = scene,
@@ -205,13 +233,14 @@ void read_insertions(const TomlTable& file, const std::string& unit, const std::
                                                         table.integer("seed", 0, std::numeric_limits<int>::max()))
                                                   : ++number};
     if (table.has("velocity")) insertion.velocity = table.vector("velocity", velocity(), Range::any());
-    if (how == "lattice" || how == "random") {
-      if (table.has("fluctuation"))
-        insertion.fluctuation = table.quantity("fluctuation", velocity(), Range::not_negative());
-      how == "lattice" ? insert_lattice(insertion) : insert_at_random(insertion);
-    } else {
-      how == "single" ? insert_single(insertion) : insert_from_file(insertion);
-    }
+    const bool one_by_one = how == "single" || how == "file";
+    if (!one_by_one && table.has("fluctuation"))
+      insertion.fluctuation = table.quantity("fluctuation", velocity(), Range::not_negative());
+    if (how == "lattice") insert_lattice(insertion);
+    if (how == "random") insert_at_random(insertion);
+    if (how == "pour") add_pour(insertion);
+    if (how == "single") insert_single(insertion);
+    if (how == "file") insert_from_file(insertion);
     table.reject_unknown_keys();
   }
 }

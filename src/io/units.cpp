@@ -69,6 +69,17 @@ const Dimension& force() {
   return dimension;
 }
 
+const Dimension& shear_rate() {
+  static const Dimension dimension{"shear rate", {{"1/s", 1.0}, {"s^-1", 1.0}}};
+  return dimension;
+}
+
+const Dimension& mass_rate() {
+  static const Dimension dimension{"mass rate",
+                                   {{"kg/s", 1.0}, {"g/s", 1e-3}, {"kg/min", 1.0 / 60.0}, {"t/h", 1.0 / 3.6}}};
+  return dimension;
+}
+
 const Dimension& duration() {
   static const Dimension dimension{"duration", {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"ns", 1e-9}}};
   return dimension;

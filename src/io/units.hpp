@@ -35,6 +35,8 @@ const Dimension& frequency();         ///< Hz, kHz, rpm
 const Dimension& force();             ///< N, kN, mN, uN
 const Dimension& duration();          ///< s, ms, us, ns
 const Dimension& surface_energy();    ///< J/m2, mJ/m2
+const Dimension& shear_rate();        ///< 1/s
+const Dimension& mass_rate();         ///< kg/s, g/s, kg/min, t/h
 
 /// The unit out of m, mm, µm and nm in which a length reads as 0.5 to 500.
 Unit suitable_length(double metres);

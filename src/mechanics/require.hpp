@@ -26,8 +26,8 @@ inline void require_restitution(const std::string& where, double value) {
     throw InputError(where, "restitution " + std::to_string(value), "a value in (0, 1]");
 }
 
-/// Columns of one batch.
-inline void require_columns(const std::string& where, std::size_t size, std::initializer_list<std::size_t> others) {
+/// Columns of one batch; asked in every step.
+inline void require_columns(const char* where, std::size_t size, std::initializer_list<std::size_t> others) {
   for (const std::size_t other : others)
     if (other != size)
       throw InputError(where, "a column of " + std::to_string(other) + " values",

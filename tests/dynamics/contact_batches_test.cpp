@@ -67,8 +67,10 @@ TEST_CASE("Contacts see the motion of the step in their plane and that of its en
     Random random(count);
     ContactColumns found;
     found.resize(count);
-    Columns<3> shift;
+    ImageShifts images;
+    Columns<3>& shift = images.shift;
     shift.resize(count);
+    if (count % 2 == 0) images.flow = ImageFlow{.flow = 2, .gradient = 1, .rate = 0.7};
     std::vector<double> cap;
     const std::size_t proved = count / 2;  // not resolved
     for (std::size_t i = 0; i < count; ++i) {
@@ -84,7 +86,7 @@ TEST_CASE("Contacts see the motion of the step in their plane and that of its en
     const ContactColumns before = found;
     Columns<of_arms::columns> arms;
     Columns<of_motion::columns> motion;
-    describe_motion(sample.of(), shift, cap, {.angular_velocity = true, .mean_angular_velocity = true}, found, arms,
+    describe_motion(sample.of(), images, cap, {.angular_velocity = true, .mean_angular_velocity = true}, found, arms,
                     motion);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 n = vector_at(found.columns, of_geometry::normal, i);
@@ -101,9 +103,10 @@ TEST_CASE("Contacts see the motion of the step in their plane and that of its en
       const Vec3 point =
           0.5 * (vector_at(before.columns, of_geometry::on_1, i) + vector_at(before.columns, of_geometry::on_2, i));
       const Vec3 arm_1 = point - one.position(), arm_2 = point - (two.position() + vector_at(shift, 0, i));
-      const Vec3 step = two.velocity + two.mean_angular_velocity.cross(arm_2) -
+      const Vec3 of_image = count % 2 == 0 ? Vec3(0.0, 0.0, 0.7 * shift[1][i]) : Vec3::Zero();
+      const Vec3 step = two.velocity + of_image + two.mean_angular_velocity.cross(arm_2) -
                         (one.velocity + one.mean_angular_velocity.cross(arm_1));
-      const Vec3 end = two.last_velocity + two.last_angular_velocity.cross(arm_2) -
+      const Vec3 end = two.last_velocity + of_image + two.last_angular_velocity.cross(arm_2) -
                        (one.last_velocity + one.last_angular_velocity.cross(arm_1));
       const Mat3 along = n * n.transpose();
       const Vec3 velocity = (Mat3::Identity() - along) * step + along * end;

@@ -56,6 +56,26 @@ TEST_CASE("A drum is seen all around unless it is far larger than what it holds"
   CHECK(near.upper.y() == far.upper.y());  // along its axis a drum ends nowhere
 }
 
+TEST_CASE("A mesh is seen through, with the edges where it turns") {
+  ResultsHead head = sample_head();
+  ParticleFrame frame = sample_frame();
+  // A square of two triangles and a third one upright on its side.
+  head.meshes = {{"tray",
+                  1,
+                  {.vertices = {{0, 0, 0}, {0.04, 0, 0}, {0.04, 0.04, 0}, {0, 0.04, 0}, {0, 0, 0.04}},
+                   .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}}}};
+  frame.meshes = {{.position = {0.0, 0.0, 0.001}}};
+  const Picture before = assembly_picture(frame, sample_head(), look_at(frame, sample_head(), ParticleColour::shape));
+  const Picture picture = assembly_picture(frame, head, look_at(frame, head, ParticleColour::shape));
+  REQUIRE(picture.bodies.size() == before.bodies.size() + 1);
+  const PictureBody& mesh = picture.bodies.back();
+  CHECK(mesh.opacity < 1.0);
+  CHECK(mesh.mesh.triangles.size() == 3);
+  for (const Vec3& normal : mesh.mesh.normals) CHECK(normal.dot(picture.view.towards_viewer) >= 0.0);
+  CHECK(mesh.mesh.vertices[0].z() == Approx(0.001));
+  CHECK(picture.lines.size() == before.lines.size() + 6);  // all but the diagonal of the square
+}
+
 TEST_CASE("Kinetic energy has a part of motion and one of rotation") {
   ParticleFrame frame = sample_frame();
   const ResultsHead head = sample_head();

@@ -156,6 +156,38 @@ TEST_CASE("A results file gives back what was written, bit by bit") {
   CHECK_THROWS_WITH(file.contacts(0), Catch::Contains("no contacts in frame 0"));
 }
 
+TEST_CASE("Meshes and a box's shear stand in the results, and frames without particles") {
+  const auto path = fresh_path("meshes.h5");
+  ResultsHead head = head_of_all_shapes();
+  head.meshes = {{"funnel",
+                  7,
+                  {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}, {1, 1, 0.1}}, .triangles = {{0, 1, 2}, {1, 3, 2}}}}};
+  head.box.shear = BoxShear{.flow = 1, .gradient = 0, .rate = -3.5};
+  ParticleFrame empty = frame_at(0, 0), later = frame_at(10, 3);
+  empty.meshes = {Pose{}};
+  later.meshes = {Pose{.position = {0.1, 0.2, 0.3}, .orientation = Quat(0.6, 0.0, 0.8, 0.0)}};
+  {
+    ResultsWriter writer(path, head, {"time", "kinetic"});
+    writer.append(empty, {}, rows_at(0.0, 1));
+    writer.append(later, {}, rows_at(1.0, 1));
+  }
+  const ResultsFile file(path);
+  REQUIRE(file.head().meshes.size() == 1);
+  CHECK(file.head().meshes[0].name == "funnel");
+  CHECK(file.head().meshes[0].id == 7);
+  CHECK(file.head().meshes[0].triangles.vertices == head.meshes[0].triangles.vertices);
+  CHECK(file.head().meshes[0].triangles.triangles == head.meshes[0].triangles.triangles);
+  REQUIRE(file.head().box.shear);
+  CHECK(file.head().box.shear->flow == 1);
+  CHECK(file.head().box.shear->gradient == 0);
+  CHECK(file.head().box.shear->rate == -3.5);
+  CHECK(file.frame(0).size() == 0);
+  require_equal(file.frame(1), later);
+  REQUIRE(file.frame(1).meshes.size() == 1);
+  CHECK(file.frame(1).meshes[0].position == later.meshes[0].position);
+  CHECK(file.frame(1).meshes[0].orientation.coeffs() == later.meshes[0].orientation.coeffs());
+}
+
 TEST_CASE("Going on from an earlier frame cuts off what came after it") {
   const auto path = fresh_path("cut.h5");
   {

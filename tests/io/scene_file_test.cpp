@@ -9,8 +9,6 @@
 namespace osculate::io {
 namespace {
 
-using test::fresh_folder;
-
 constexpr const char* good = R"(length_unit = "mm"
 gravity = [0, 0, -9.81]
 [[materials]]
@@ -79,7 +77,8 @@ interval = "0.1 ms"
 )";
 
 std::filesystem::path put(const std::string& text) {
-  const auto folder = fresh_folder("scene");
+  const auto folder = test::temporary("scene");  // what stands beside the scene stays
+  std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.toml") << text;
   return folder / "scene.toml";
 }
@@ -210,6 +209,89 @@ TEST_CASE("Particles from a table keep their numbers") {
   CHECK(first.pose.position == Vec3(0.01, 0.02, 0.2));
   CHECK(first.angular_velocity == Vec3(0, 0, 5));
   CHECK(scene.setup.bodies[21].pose.orientation.y() == Approx(0.8));
+}
+
+TEST_CASE("A pour comes by number or by mass, in SI") {
+  const auto pouring = [](const std::string& keys) {
+    std::string text = good;
+    const std::string pour =
+        "[[insert]]\nhow = \"pour\"\nparticles = \"grain\"\n"
+        "region = {kind = \"box\", lower = [0, 0, 60], upper = [10, 10, 70]}\n";
+    return text.insert(text.find("[time]"), pour + keys + "\n");
+  };
+  const Scene scene =
+      read(pouring("mass_rate = \"6 kg/min\"\nbegin = \"1 ms\"\nend = \"2 s\"\ncount = 9\nseed = 4\n"
+                   "velocity = [0, 0, -20]\nfluctuation = 0.1\ngap = 0.5\ntries = 7"));
+  REQUIRE(scene.setup.pours.size() == 1);
+  const Pour& pour = scene.setup.pours[0];
+  CHECK(pour.measure == Pour::Measure::mass);
+  CHECK(pour.rate == Approx(0.1));
+  CHECK(pour.begin == Approx(1e-3));
+  CHECK(pour.end == 2.0);
+  CHECK(pour.most == 9);
+  CHECK(pour.seed == 4);
+  CHECK(pour.gap == Approx(5e-4));
+  CHECK(pour.tries == 7);
+  CHECK(pour.kinds.size() == 2);
+  CHECK(std::get<BoxRegion>(pour.region).upper.z() == Approx(70e-3));
+  CHECK(scene.speed > 20.0);
+  CHECK(scene.warnings.size() == 1);  // the run is over when it begins
+  CHECK(read(pouring("rate = 50")).setup.pours[0].measure == Pour::Measure::particles);
+  require_error(pouring("rate = 50\nmass_rate = 1"), {"both rate and mass_rate"});
+  require_error(pouring("seed = 3"), {"no rate", "mass_rate"});
+  require_error(pouring("rate = -5"), {"rate", "-5"});
+  require_error(pouring("rate = 5\nbegin = 2\nend = 1"), {"end", "after the beginning"});
+  require_error(pouring("rate = 5\nspacing = 1"), {"spacing"});
+  // Nothing else need be there.
+  std::string text = pouring("rate = 50");
+  const std::size_t first = text.find("[[insert]]");
+  text.erase(first, text.find("[[insert]]\nhow = \"pour\"") - first);
+  CHECK(read(text).setup.bodies.size() == 7);
+}
+
+TEST_CASE("A mesh is read from its file, in the scene's unit") {
+  const auto with_mesh = [](const std::string& keys) {
+    std::string text = good;
+    return text.insert(text.find("[[obstacles]]"),
+                       "[[walls]]\nname = \"ramp\"\nkind = \"mesh\"\nmaterial = \"wood\"\n" + keys + "\n");
+  };
+  const auto ramp = [](const std::filesystem::path& folder) {
+    std::ofstream(folder / "ramp.obj") << "v 0 0 0\nv 10 0 0\nv 10 10 5\nv 0 10 5\nf 1 2 3 4\n";
+  };
+  ramp(put(good).parent_path());
+  const Scene scene =
+      read(with_mesh("file = \"ramp.obj\"\nscale = 2\nposition = [0, 0, -90]\n"
+                     "motion = {kind = \"translation\", velocity = [0, 0, 30]}"));
+  REQUIRE(scene.setup.meshes.size() == 1);
+  CHECK(scene.mesh_names == std::vector<std::string>{"ramp"});
+  const MeshStart& mesh = scene.setup.meshes[0];
+  CHECK(mesh.material == 1);
+  CHECK(mesh.triangles.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(mesh.triangles.vertices[2].isApprox(Vec3(0.02, 0.02, 0.01)));
+  CHECK(mesh.pose.position.isApprox(Vec3(0, 0, -0.09)));
+  CHECK(scene.speed > 30.0);
+  require_error(with_mesh("file = \"none.stl\""), {"file", "none.stl"});
+  require_error(with_mesh("file = \"ramp.obj\"\nradius = 3"), {"radius"});
+}
+
+TEST_CASE("A sheared box gives particles its flow") {
+  std::string text = good;
+  text.erase(text.find("[[walls]]"), text.find("[[insert]]") - text.find("[[walls]]"));
+  text.replace(text.find("gravity"), std::string("gravity = [0, 0, -9.81]").size(),
+               "[periodic]\nx = [-40, 40]\ny = [-40, 40]\nz = [0, 100]\n"
+               "shear = {flow = \"x\", gradient = \"z\", rate = \"20 1/s\"}");
+  const Scene scene = read(text);
+  REQUIRE(scene.setup.box.shear);
+  CHECK(scene.setup.box.shear->rate == 20.0);
+  CHECK(scene.setup.bodies[0].velocity.isApprox(Vec3(20.0 * (0.04 - 0.05), 0, -0.1)));
+  CHECK(scene.speed > 2.0);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = text;
+    return other.replace(other.find(from), from.size(), to);
+  };
+  require_error(changed("gradient = \"z\"", "gradient = \"x\""), {"two different axes"});
+  require_error(changed("gradient = \"z\"", "gradient = \"up\""), {"gradient", "up"});
+  require_error(changed("z = [0, 100]\n", ""), {"axes that repeat"});
 }
 
 TEST_CASE("The same seed places the same particles") {

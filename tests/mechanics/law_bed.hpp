@@ -1,9 +1,9 @@
 #pragma once
 // Columns of contacts for the tests of composed laws.
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "osculate/core/aligned_allocator.hpp"
 #include "osculate/core/types.hpp"
 #include "osculate/mechanics/law_registry.hpp"
 
@@ -79,7 +79,7 @@ class LawBed {
 
   double time_step = 1e-6;
   Column smallest;
-  std::vector<double, Eigen::aligned_allocator<double>> memory;
+  std::vector<double, osculate::AlignedAllocator<double>> memory;
   std::vector<osculate::LawStatus> status;
   Column normal_force, a_c, axis_ratio, stiffness, stored_normal, stored_tangential, viscous_loss, friction_loss,
       hysteresis_loss;

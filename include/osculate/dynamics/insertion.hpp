@@ -2,44 +2,14 @@
 // Where particles start: on a lattice, or at random without touching each other or the walls.
 
 #include <cstdint>
-#include <variant>
 #include <vector>
 
-#include "osculate/dynamics/random.hpp"
 #include "osculate/dynamics/setup.hpp"
 
 namespace osculate {
 
-/// Room for particles: their whole bounding spheres or, in `insert_randomly`, their centroids lie inside.
-struct BoxRegion {
-  Vec3 lower, upper;  ///< [m]
-};
-/// An upright cylinder.
-struct CylinderRegion {
-  Vec3 base;      ///< centre of the lower end [m]
-  double radius;  ///< > 0 [m]
-  double height;  ///< > 0 [m]
-};
-struct SphereRegion {
-  Vec3 centre;    ///< [m]
-  double radius;  ///< > 0 [m]
-};
-using Region = std::variant<BoxRegion, CylinderRegion, SphereRegion>;
-
-/// Throws InputError unless the region has a volume.
-void validate(const Region& region);
-double volume(const Region& region);
-bool contains(const Region& region, const Vec3& point);
-
 /// The points of a cubic lattice whose spheres of diameter `spacing` lie inside a region, layer by layer from below.
 std::vector<Vec3> lattice(const Region& region, double spacing);
-
-/// One kind of particle to insert.
-struct Kind {
-  std::int32_t shape;     ///< index into Setup::shapes
-  std::int32_t material;  ///< index into Setup::materials
-  double weight = 1.0;    ///< ≥ 0: its share by number
-};
 
 struct RandomInsertion {
   Region region;  ///< of the centroids

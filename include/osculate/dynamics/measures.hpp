@@ -6,7 +6,7 @@
 
 namespace osculate {
 
-/// How particles are connected.
+/// How particles are connected; averages are 0 where there are none.
 struct Connectivity {
   std::uint64_t particles;       ///< free bodies
   std::uint64_t contacts;        ///< between any two bodies
@@ -25,7 +25,8 @@ double solid_fraction(const Simulation& simulation, const Region& region, int pe
 /// The stress in a volume V [Pa], pressure negative:
 ///   σ = 1/V Σ_c f ⊗ l,   f the force on body 1, l its branch to body 2, over contacts between free bodies (l between
 ///   the centroids) and of free bodies with driven ones (l from the centroid to the contact point) [CSR81]
-/// The kinetic part −1/V Σ m v ⊗ v is `streaming`, with velocities against the mean.
+/// The kinetic part −1/V Σ m v ⊗ v is `streaming`, with velocities against the mean, and against the flow of a sheared
+/// box.
 struct Stress {
   Mat3 contact;
   Mat3 streaming;

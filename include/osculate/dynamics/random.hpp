@@ -25,4 +25,7 @@ class Random {
   std::mt19937_64 bits_;
 };
 
+/// A seed of its own for each of many things that share one: the numbers of splitmix64.                [SLF14]
+std::uint64_t numbered_seed(std::uint64_t seed, std::uint64_t number);
+
 }  // namespace osculate

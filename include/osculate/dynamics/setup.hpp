@@ -8,7 +8,9 @@
 #include "osculate/dynamics/bodies.hpp"
 #include "osculate/dynamics/motion.hpp"
 #include "osculate/dynamics/periodic_box.hpp"
+#include "osculate/dynamics/pour.hpp"
 #include "osculate/geometry/curvature_models.hpp"
+#include "osculate/geometry/mesh_surface.hpp"
 #include "osculate/mechanics/contact_law.hpp"
 #include "osculate/mechanics/material.hpp"
 #include "osculate/shapes/shape.hpp"
@@ -38,13 +40,23 @@ struct BodyStart {
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s], world, free bodies only
 };
 
+/// A surface of triangles at time 0. In a simulation each of its faces is a body.
+struct MeshStart {
+  SurfaceTriangles triangles;
+  std::int32_t material;  ///< index into Setup::materials
+  std::int32_t motion;    ///< index into Setup::motions
+  Pose pose;              ///< of the surface's frame
+};
+
 struct Setup {
   std::vector<Shape> shapes;
   std::vector<Material> materials;
   std::vector<Interaction> interactions;  ///< one for every two materials whose bodies may meet
   std::vector<Motion> motions;
   std::vector<BodyStart> bodies;
-  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
+  std::vector<MeshStart> meshes;  ///< their faces are the bodies after `bodies`, in the same order
+  std::vector<Pour> pours;        ///< their particles come after those
+  Vec3 gravity = Vec3::Zero();    ///< [m/s²]
   PeriodicBox box;
   double time_step = 0.0;          ///< > 0 [s], see time_step.hpp
   double radius_cap = review_cap;  ///< no relative radius of curvature above this times the smaller R_vol

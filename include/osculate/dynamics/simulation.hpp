@@ -43,12 +43,13 @@ struct EnergyLedger {
   double hysteresis_loss;
   double curvature_gain;  ///< of normal springs whose stiffness changed because the bodies touched where they are
                           ///< curved otherwise: no force takes this energy from the motion. Small; 0 for spheres
-  double driven_work;     ///< that driven bodies did on the others
+  double driven_work;     ///< that driven bodies, or the images of a sheared box, did on the others
+  double poured;          ///< kinetic and of gravity, brought by particles that came in during the run
 
   double mechanical() const { return kinetic + rotational + gravity + stored_normal + stored_tangential; }
   double lost() const { return viscous_loss + friction_loss + hysteresis_loss; }
   /// What is constant when all is accounted for.
-  double balance() const { return mechanical() + lost() - driven_work - curvature_gain; }
+  double balance() const { return mechanical() + lost() - driven_work - poured - curvature_gain; }
 };
 
 /// What the last step was like.
@@ -82,9 +83,12 @@ class Simulation {
   double time() const;  ///< [s]
   std::uint64_t steps() const;
   const Setup& setup() const;
-  const Bodies& bodies() const;
-  std::span<const BodyShape> shapes() const;  ///< one for each of the setup's
-  std::vector<Contact> contacts() const;      ///< in a fixed order
+  const PeriodicBox& box() const;  ///< as it is now: the images of a sheared one move
+  const Bodies& bodies() const;    ///< the setup's, then the faces of its meshes, then what was poured, as it came
+  std::int32_t first_face(std::size_t mesh) const;  ///< the body that is the first face of one of the setup's meshes
+  std::span<const Poured> poured() const;           ///< what came in of each of the setup's pours
+  std::span<const BodyShape> shapes() const;        ///< one for each of the setup's, then the faces
+  std::vector<Contact> contacts() const;            ///< in a fixed order
   EnergyLedger energy() const;
   StepCounts counts() const;
   StageTimes times() const;

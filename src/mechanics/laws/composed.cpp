@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "osculate/core/aligned_allocator.hpp"
 
 namespace osculate::laws {
 namespace {
@@ -116,13 +119,14 @@ ContactLaw followed(const ContactLaw& first, const std::vector<BoundPart>& parts
   add_to(traits, parts);
   const auto evaluation = [first, parts, needs = traits.needs, size = traits.memory_size](
                               const LawInput& input, double* memory, const LawOutput& output) {
-    std::array<double, law_lanes> overlap, a_c, axis_ratio;
-    std::array<Contact, law_lanes> contacts;
-    std::array<Memory, law_lanes> memories;
-    std::array<std::size_t, law_lanes> place;
-    // One block of memory at a time: the first law's entries are the block's first.
-    for (std::size_t start = 0; start < input.R_i.size(); start += law_lanes) {
-      const std::size_t size_here = std::min(law_lanes, input.R_i.size() - start);
+    std::array<double, stretch> overlap, a_c, axis_ratio;
+    std::array<Contact, stretch> contacts;
+    std::array<Memory, stretch> memories;
+    std::array<std::size_t, stretch> place;
+    const std::size_t own = first.memory_size() * law_lanes, all = size * law_lanes;  // of a block
+    std::vector<double, AlignedAllocator<double>> own_memory(stretch / law_lanes * own);
+    for (std::size_t start = 0; start < input.R_i.size(); start += stretch) {
+      const std::size_t size_here = std::min(stretch, input.R_i.size() - start);
       LawInput in = input.part(start, size_here);
       LawOutput out = output.part(start, size_here);
       if (out.a_c.empty()) out.a_c = std::span(a_c).first(size_here);
@@ -133,8 +137,13 @@ ContactLaw followed(const ContactLaw& first, const std::vector<BoundPart>& parts
         overlap[i] = is_sound(contacts[i], in, i, needs) ? in.overlap[i] : std::numeric_limits<double>::quiet_NaN();
       }
       in.overlap = std::span<const double>(overlap).first(size_here);
-      double* block = memory + start * size;
-      first.evaluate(in, {block, first.memory_size() * law_lanes}, out);
+
+      // The first law's entries are the first of each block; it wants blocks of these alone.
+      double* blocks = memory + start * size;
+      const std::size_t block_count = (size_here + law_lanes - 1) / law_lanes;
+      for (std::size_t b = 0; b < block_count; ++b) std::copy_n(blocks + b * all, own, own_memory.data() + b * own);
+      first.evaluate(in, std::span(own_memory).first(block_count * own), out);
+      for (std::size_t b = 0; b < block_count; ++b) std::copy_n(own_memory.data() + b * own, own, blocks + b * all);
 
       std::size_t count = 0;  // of sound ones
       for (std::size_t i = 0; i < size_here; ++i) {
@@ -142,7 +151,8 @@ ContactLaw followed(const ContactLaw& first, const std::vector<BoundPart>& parts
           put(Vec3(Vec3::Zero()), out.couple, i);
           continue;
         }
-        Contact& contact = contacts[count] = contacts[i];
+        if (count < i) contacts[count] = contacts[i];
+        Contact& contact = contacts[count];
         contact.closed = out.status[i] != LawStatus::open;
         contact.a_c = out.a_c[i], contact.axis_ratio = out.axis_ratio[i];
         contact.friction_load = out.normal_force[i];  // the dashpot's share is in it
@@ -150,7 +160,8 @@ ContactLaw followed(const ContactLaw& first, const std::vector<BoundPart>& parts
       }
       std::size_t entry = first.memory_size();
       for (const auto& [part, length] : parts) {
-        for (std::size_t k = 0; k < count; ++k) memories[k] = Memory(block + entry * law_lanes + place[k]);
+        for (std::size_t k = 0; k < count; ++k)
+          memories[k] = Memory(blocks + place[k] / law_lanes * all + entry * law_lanes + place[k] % law_lanes);
         part.step(std::span(contacts).first(count), std::span<const Memory>(memories).first(count));
         entry += length;
       }
