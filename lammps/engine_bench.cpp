@@ -1,9 +1,11 @@
 #include "lammps/engine_bench.hpp"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -33,18 +35,31 @@ void share(std::vector<BodyStart>& bodies) {
   }
 }
 
+struct Times {
+  double wall, processor;  ///< [ns]
+};
+
+Times now() {
+  timespec mine{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &mine);
+  constexpr double second = 1e9;
+  return {.wall = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+          .processor = second * static_cast<double>(mine.tv_sec) + static_cast<double>(mine.tv_nsec)};
+}
+
+/// Of work that all ranks do: what it took the one that it took longest.
 template <class Work>
-double nanoseconds(const Work& work) {
-  const auto begin = std::chrono::steady_clock::now();
+Times longest(const Work& work) {
+  const Times begin = now();
   work();
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+  const Times end = now();
+  const double mine[] = {end.wall - begin.wall, end.processor - begin.processor};
+  double most[2];
+  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return {.wall = most[0], .processor = most[1]};
 }
 
 }  // namespace
-
-double EngineTimes::least() const {
-  return *std::min_element(turns.begin(), turns.end());
-}
 
 EngineBench time_engines(const io::Scene& scene, const EngineBenchOrders& orders,
                          const std::function<void(double)>& progress) {
@@ -75,11 +90,14 @@ EngineBench time_engines(const io::Scene& scene, const EngineBenchOrders& orders
   std::optional<Simulation> embedded;
   if (is_first) embedded.emplace(settled.setup);
   std::vector<std::unique_ptr<SceneOnRanks>> engines;
-  bench.engines.push_back({.engine = "embedded, one thread", .turns = {}, .steps_a_list = 0.0});
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto add = [&](const std::string& name) {
+    bench.engines.push_back({.engine = name, .wall = none, .processor = none, .steps_a_list = 0.0});
+  };
+  add("embedded, one thread");
   for (const int ranks : orders.ranks) {
     engines.push_back(std::make_unique<SceneOnRanks>(ranks, settled));
-    bench.engines.push_back(
-        {.engine = fmt::format("LAMMPS, {} rank{}", ranks, ranks == 1 ? "" : "s"), .turns = {}, .steps_a_list = 0.0});
+    add(fmt::format("LAMMPS, {} rank{}", ranks, ranks == 1 ? "" : "s"));
   }
   const auto turn = [&](std::size_t e) {
     if (e > 0) return engines[e - 1]->advance(orders.steps);
@@ -93,10 +111,15 @@ EngineBench time_engines(const io::Scene& scene, const EngineBenchOrders& orders
     return embedded ? static_cast<double>(embedded->counts().rebuilds) : 0.0;
   };
   for (std::size_t e = 0; e < bench.engines.size(); ++e) bench.engines[e].steps_a_list = -lists(e);
-  const double items = static_cast<double>(bench.particles) * static_cast<double>(orders.steps);
+  const double items =
+      static_cast<double>(std::max<std::size_t>(bench.particles, 1)) * static_cast<double>(orders.steps);
   for (int round = 0; round < orders.rounds; ++round) {
-    for (std::size_t e = 0; e < bench.engines.size(); ++e)
-      bench.engines[e].turns.push_back(nanoseconds([&] { turn(e); }) / items);
+    for (std::size_t e = 0; e < bench.engines.size(); ++e) {
+      const Times took = longest([&] { turn(e); });
+      EngineTimes& one = bench.engines[e];
+      one.wall = std::min(one.wall, took.wall / items);
+      one.processor = std::min(one.processor, took.processor / items);
+    }
     say(settling + (1.0 - settling) * (round + 1) / orders.rounds);
   }
   for (std::size_t e = 0; e < bench.engines.size(); ++e) {

@@ -15,13 +15,11 @@ struct EngineBenchOrders {
   std::uint64_t steps;  ///< of a turn
 };
 
-/// One engine's turns.
+/// One engine's turns: the least of them all, of a particle and step [ns].
 struct EngineTimes {
   std::string engine;
-  std::vector<double> turns;  ///< wall time of a particle and step [ns]
-  double steps_a_list;        ///< steps between two lists of neighbours
-
-  double least() const;
+  double wall, processor;  ///< the second of the busiest rank, waiting for others included
+  double steps_a_list;     ///< steps between two lists of neighbours
 };
 
 struct EngineBench {

@@ -165,6 +165,8 @@ void run_scene(LAMMPS_NS::LAMMPS& lmp, const SceneOrders& orders) {
   command(lmp, fmt::format("dump frames all custom {} {}", orders.frame_every, frames));
   command(lmp, "dump_modify frames " + look);
   command(lmp, fmt::format("thermo {}", orders.row_every));
+  // Bodies fall and gather: ranks share them evenly, to a tenth.
+  command(lmp, "fix balance all balance 1000 1.1 shift xyz 5 1.05");
   command(lmp, fmt::format("run {}", orders.steps));
   command(lmp, "undump frames");
   // The end is a frame too.

@@ -47,6 +47,7 @@ class Reference {
     return {.time = simulation_.time(),
             .single = count([&](std::size_t i) { return is_single(i); }),
             .met = count([&](std::size_t i) { return !met_[i].empty(); }),
+            .free = count([](std::size_t) { return true; }),
             .nudged = from(bodies_of(twin_)),
             .lammps = {}};
   }
@@ -112,7 +113,7 @@ void follow_trajectories(const io::Scene& scene, const TrajectoryOrders& orders,
     }
     if (row) {
       look(*row);
-      going_on = all_parted(*row) ? 0 : 1;
+      going_on = all_parted(*row) || (row->met == row->free && row->single == 0) ? 0 : 1;
     }
     MPI_Bcast(&going_on, 1, MPI_INT, 0, MPI_COMM_WORLD);
   }

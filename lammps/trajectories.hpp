@@ -24,13 +24,14 @@ struct TrajectoryRow {
   double time;                     ///< [s]
   std::size_t single;              ///< bodies as above
   std::size_t met;                 ///< bodies that have met another one
+  std::size_t free;                ///< all of them
   Difference nudged;               ///< the library's engine from its own
   std::vector<Difference> lammps;  ///< from the library's engine, one for each number of ranks
 };
 
 struct TrajectoryOrders {
   std::vector<int> ranks;
-  std::uint64_t steps;  ///< at most: ends when all have parted
+  std::uint64_t steps;  ///< at most: ends when all runs have parted, or all bodies have met a second one
   std::uint64_t every;  ///< steps between looks: fewer than a contact lasts
 };
 

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/validate_impact.hpp"
 #include "app/validate_narrow.hpp"
+#include "app/validate_packing.hpp"
 #include "io/table.hpp"
 #include "osculate/core/error.hpp"
 #include "validation/contact_mechanics/reference_errors.hpp"
@@ -102,6 +103,7 @@ void add_validate(CLI::App& program) {
       ->callback(validate_curvature);
   add_validate_impact(*validate);
   add_validate_narrow(*validate);
+  add_validate_packing(*validate);
   add_mechanics(*validate);
 }
 
