@@ -239,7 +239,7 @@ TEST_CASE("A full disk ends a run with its reason and leaves the frames before i
   put(folder / "scene.toml", small_scene("60 ms"));
   // A limit on the size of files, met by an error and not by a signal: what a full disk does to a program.
   const test::Run full =
-      run(folder, "law hertz > law.txt; trap '' XFSZ; ulimit -f 160; " OSCULATE_PROGRAM " run scene.toml --out out");
+      run(folder, "law hertz > law.txt; trap '' XFSZ; ulimit -f 320; " OSCULATE_PROGRAM " run scene.toml --out out");
   CHECK(full.exit_code == 2);
   CHECK_THAT(full.err, Catch::Contains("out/") && Catch::Contains("File too large"));
   {
@@ -359,7 +359,7 @@ TEST_CASE("Without osculate-lammps, --engine lammps says what to install and how
   CHECK_FALSE(fs::exists(folder / "scene"));
 }
 
-TEST_CASE("--engine lammps refuses what only the embedded engine does") {
+TEST_CASE("The engine lammps refuses what only the embedded engine does") {
   const auto folder = fresh_folder("lammps_options");
   put(folder / "scene.toml", small_scene("1 ms"));
   for (const std::string option : {"--resume", "--threads 2"}) {

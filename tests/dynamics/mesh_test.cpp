@@ -103,8 +103,9 @@ TEST_CASE("Particles slide and roll over a floor of triangles as over a plane, f
   REQUIRE(sprung > 0.0);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     REQUIRE(on_plane.bodies().position[i].x() > 0.02);  // over many seams
-    CHECK((on_plane.bodies().position[i] - on_mesh.bodies().position[i]).norm() < 1e-9);
-    CHECK((on_plane.bodies().velocity[i] - on_mesh.bodies().velocity[i]).norm() < 1e-6);  // bounces make rounding grow
+    // Bounces make rounding grow, by processor: 1e-8 m is what a velocity off by 1e-6 m/s makes in a tenth of the time.
+    CHECK((on_plane.bodies().position[i] - on_mesh.bodies().position[i]).norm() < 1e-8);
+    CHECK((on_plane.bodies().velocity[i] - on_mesh.bodies().velocity[i]).norm() < 1e-6);
   }
   CHECK(on_mesh.energy().friction_loss == Approx(on_plane.energy().friction_loss).epsilon(1e-6));
 }

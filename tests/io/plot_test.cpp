@@ -68,7 +68,7 @@ TEST_CASE("A plot is written as SVG with its texts, and as PNG") {
   io::Panel panel = panel_of({line(0, 1), line(1, 0)});
   panel.curves[0].name = "F_{n} of a_key & <b>";
   const io::Plot plot = plot_of(panel);
-  const auto svg = scratch(".svg"), png = scratch(".png");
+  const auto svg = scratch("plot.svg"), png = scratch("plot.png");
   write_plot(plot, svg);
   write_plot(plot, png);
   const std::string drawn = seen(content(svg));

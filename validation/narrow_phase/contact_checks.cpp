@@ -15,8 +15,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double distance_from_surface(const Superquadric& shape, const Vec3& point_b) {
   if (point_b.isZero()) return std::numeric_limits<double>::infinity();
-  // The distance along the ray; never less than the distance itself.
-  return std::fabs(plain::gauge<double>(shape, point_b).value - 1.0) * point_b.norm();
+  const auto [value, gradient] = plain::gauge<double>(shape, point_b);
+  return std::fabs(value - 1.0) / gradient.norm();  // to first order
 }
 
 double short_of_support(const Superquadric& shape, const Vec3& normal_b, const Vec3& point_b) {
