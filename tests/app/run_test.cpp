@@ -319,6 +319,11 @@ TEST_CASE("Every example scene passes its check and runs") {
     ++count;
     INFO(entry.path());
     const test::Run check = run(folder, "check " + entry.path().string());
+    if (!OSCULATE_TEST_WITH_CGAL && entry.path().stem() == "ballast-box") {  // its shapes are convex hulls of files
+      CHECK(check.exit_code == 2);
+      CHECK_THAT(check.err, Catch::Contains("OSCULATE_WITH_CGAL=ON"));
+      continue;
+    }
     CHECK(check.exit_code == 0);
     CHECK_THAT(check.out, Catch::Contains("time step"));
     CHECK_THAT(check.out, !Catch::Contains("warning"));
