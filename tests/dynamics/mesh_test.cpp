@@ -90,6 +90,12 @@ TEST_CASE("Particles slide and roll over a floor of triangles as over a plane, f
   mesh.bodies = particles;
   mesh.meshes = {{.triangles = floor_mesh(20, size), .material = 0, .motion = 0, .pose = {}}};
   Simulation on_plane(plane), on_mesh(mesh);
+  const auto apart = [&] {
+    double most = 0.0;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      most = std::max(most, (on_plane.bodies().position[i] - on_mesh.bodies().position[i]).norm());
+    return most;
+  };
   double sprung = 0.0;
   std::uint64_t contacts = 0;
   for (int i = 0; i < 500; ++i) {
@@ -98,13 +104,15 @@ TEST_CASE("Particles slide and roll over a floor of triangles as over a plane, f
     REQUIRE(on_plane.counts().contacts == on_mesh.counts().contacts);
     contacts += on_plane.counts().contacts;
     sprung = std::max(sprung, on_plane.energy().stored_tangential);
+    if (i == 100) CHECK(apart() < 1e-12);
+    if (i == 200) CHECK(apart() < 1e-9);
   }
   REQUIRE(contacts > 200);
   REQUIRE(sprung > 0.0);
+  // A face's flat middle leaves the point of contact, and with it the torque, to rounding: impacts on it make it grow.
+  CHECK(apart() < 1e-8);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     REQUIRE(on_plane.bodies().position[i].x() > 0.02);  // over many seams
-    // Bounces make rounding grow, by processor: 1e-8 m is what a velocity off by 1e-6 m/s makes in a tenth of the time.
-    CHECK((on_plane.bodies().position[i] - on_mesh.bodies().position[i]).norm() < 1e-8);
     CHECK((on_plane.bodies().velocity[i] - on_mesh.bodies().velocity[i]).norm() < 1e-6);
   }
   CHECK(on_mesh.energy().friction_loss == Approx(on_plane.energy().friction_loss).epsilon(1e-6));
