@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/progress.hpp"
 #include "io/plot.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "validation/packing/published_packings.hpp"
 
@@ -119,7 +119,7 @@ void run(const Options& options) {
   std::vector<PackingRow> rows;
   {
     const std::vector<validation::PublishedPacking> published = validation::published_packings();
-    Progress progress("validate packing");
+    io::Progress progress("validate packing");
     for (std::size_t i = 0; i < published.size(); ++i)
       rows.push_back(validation::packing_row(published[i], options.particles, options.seeds, [&](double part) {
         progress.update((static_cast<double>(i) + part) / static_cast<double>(published.size()));
