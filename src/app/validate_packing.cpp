@@ -118,12 +118,9 @@ void draw(const std::vector<PackingRow>& rows, const std::string& path) {
 void run(const Options& options) {
   std::vector<PackingRow> rows;
   {
-    const std::vector<validation::PublishedPacking> published = validation::published_packings();
     io::Progress progress("validate packing");
-    for (std::size_t i = 0; i < published.size(); ++i)
-      rows.push_back(validation::packing_row(published[i], options.particles, options.seeds, [&](double part) {
-        progress.update((static_cast<double>(i) + part) / static_cast<double>(published.size()));
-      }));
+    rows = validation::packing_rows(validation::published_packings(), options.particles, options.seeds,
+                                    [&](double part) { progress.update(part); });
   }
   if (options.json)
     print_json(rows, options);
