@@ -77,9 +77,8 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
 
     const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
     const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
-    const auto stored = [&](const SpringsOf<Batch>& springs) HWY_ATTR {
-      const PlanarOf<Batch> sum = squared(springs);
-      return Batch(0.375) * coefficient * fma(kappa_major, sum.x, kappa_minor * sum.y);
+    const auto stored = [&](const SumsOf<Batch>& sum) HWY_ATTR {
+      return Batch(0.375) * coefficient * fma(kappa_major, sum.squared.x, kappa_minor * sum.squared.y);
     };
 
     const V3<Batch> minor = cross(normal, major);
@@ -90,9 +89,9 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     Batch stored_before = zero;
     if (energies) {
       const Mask held = line.count > zero;
-      sheared_before = traction(line);
-      stored_before = select(held & (line.rim_root > zero), stored(line), zero);
-      sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
+      const SumsOf<Batch> before = sums(line);
+      stored_before = select(held & (line.rim_root > zero), stored(before), zero);
+      sheared_before = {select(held, before.traction.x, zero), select(held, before.traction.y, zero)};
     }
     Batch dashpot = Batch(pair.damping_time) * state.stiffness;
     if (pair.damping_factor > 0.0)
@@ -102,9 +101,10 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     // Every spring slides at the same share of its limit as the load is of the elastic one; held finite for δ → 0.
     const Batch unlimited(1e30), smallest(smallest_normal);
     const Batch load = min(max(fma(dashpot * rate, reciprocal(max(state.force, smallest)), one), zero), unlimited);
-    const PlanarOf<Batch> sheared =
+    const SumsOf<Batch> after =
         advance(line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)},
                 Batch(pair.friction) * load);
+    const PlanarOf<Batch>& sheared = after.traction;
 
     const V3<Batch> force =
         (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
@@ -121,7 +121,7 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     say(state.strain_energy, output.stored_normal);
     say((normal_force - state.force) * rate, output.viscous_power);
     if (energies) {
-      const Batch stored_now = stored(line);
+      const Batch stored_now = stored(after);
       say(stored_now, output.stored_tangential);
       if (!output.friction_loss.empty()) {
         const Batch work = Batch(0.5) * coefficient *

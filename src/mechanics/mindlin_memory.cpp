@@ -62,12 +62,12 @@ void advance(Springs& springs, double overlap, Planar shift, double friction) {
 }
 
 Planar traction(const Springs& springs) {
-  const auto [x, y] = HWY_NAMESPACE::traction(line_of(springs));
+  const auto [x, y] = HWY_NAMESPACE::sums(line_of(springs)).traction;
   return {x, y};
 }
 
 double stored_energy(const Springs& springs, double coefficient, const Axes& compliance_ratio) {
-  const auto [x, y] = HWY_NAMESPACE::squared(line_of(springs));  // F'' = 3/4 k η^{−1/2}
+  const auto [x, y] = HWY_NAMESPACE::sums(line_of(springs)).squared;  // F'' = 3/4 k η^{−1/2}
   return 0.375 * coefficient * (compliance_ratio.major * x + compliance_ratio.minor * y);
 }
 
