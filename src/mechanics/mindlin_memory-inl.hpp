@@ -147,14 +147,10 @@ HWY_INLINE SumsOf<Real> sums(const SpringsOf<Real>& line) {
 }
 
 /// Where a contact holds more than `layers` points, leaves out the one whose triangle with its neighbours is smallest.
-/// Returns what the energy of each component rises by, in the measure of `squared`; it may fall.
 template <class Real>
-HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
-  const Real zero(0.0), one(1.0);
-  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+HWY_INLINE void forget_one(SpringsOf<Real>& line) {
   const LayerOf<Real> rim = line.rim();
-  LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
-  Real least(1.0), smallest(std::numeric_limits<double>::infinity());
+  Real least = line.count, smallest(std::numeric_limits<double>::infinity());
   LayerOf<Real> a = line.at[0], at = line.at[1];
   Real left = at.depth() - a.depth();
   for (int i = 1; i < line.most; ++i) {
@@ -166,30 +162,29 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
     const MaskType<Real> better = (Real(double(i)) < line.count) & (area < smallest);
     smallest = select(better, area, smallest);
     least = select(better, Real(double(i)), least);
-    before = select(better, a, before);
-    point = select(better, at, point);
-    after = select(better, b, after);
     a = at, at = b, left = right;
   }
-  const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
-  for (int i = 1; i < line.most; ++i) {
-    const MaskType<Real> moves = over & (Real(double(i)) >= least);
-    line.at[i] = select(moves, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
-  }
-  line.count = select(over, line.count - one, line.count);
-  return {select(over, chord.x - first.x - second.x, zero), select(over, chord.y - first.y - second.y, zero)};
+  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+  least = select(over, least, line.count);
+  for (int i = 1; i < line.most; ++i)
+    line.at[i] = select(Real(double(i)) >= least, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
+  line.count = min(line.count, max(line.count - Real(1.0), Real(double(mindlin::layers))));
+  --line.most;
 }
 
-/// Shrinks each component until its energy has fallen by `rise`, and a little more: forgetting must not create energy.
+/// Leaves out points until no contact holds more than `layers`. That must not create energy: what a component has
+/// gained by it, it loses by shrinking.
 template <class Real>
-HWY_INLINE SumsOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
-  const Real zero(0.0), one(1.0), half(0.5), least(smallest_normal);
+HWY_INLINE SumsOf<Real> forget(SpringsOf<Real>& line) {
+  const PlanarOf<Real> before = sums(line).squared;
+  while (line.most > mindlin::layers) forget_one(line);
   const SumsOf<Real> sum = sums(line);
-  const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
-    const Real share = min(max(more, zero) * reciprocal(max(of, least)), one);
+  const Real zero(0.0), one(1.0), half(0.5), least(smallest_normal);
+  const auto shrink = [&](const Real& was, const Real& is) HWY_ATTR {
+    const Real share = max(is - was, zero) * reciprocal(max(is, least));
     return one - half * share * (one + share);  // ≤ √(1 − share)
   };
-  const Real x = shrink(rise.x, sum.squared.x), y = shrink(rise.y, sum.squared.y);
+  const Real x = shrink(before.x, sum.squared.x), y = shrink(before.y, sum.squared.y);
   for (int i = 0; i < line.most; ++i) line.at[i].x *= x, line.at[i].y *= y;
   return {{x * sum.traction.x, y * sum.traction.y}, {x * x * sum.squared.x, y * y * sum.squared.y}};
 }
@@ -313,7 +308,10 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
     count = select(idle, count, count + one);
     farthest = max(farthest, way[i]);
     // The next one is held against those that stay: of two points close together each is idle beside the other.
-    previous = select(idle, previous, point), left = select(idle, left + right, right);
+    if (any(idle))
+      previous = select(idle, previous, point), left = select(idle, left + right, right);
+    else
+      previous = point, left = right;
     point = coming;
   }
   // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
@@ -332,14 +330,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   line.count = count;
   line.most = largest(count);
   for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
-  if (line.most <= mindlin::layers) return sums(line);
-  PlanarOf<Real> rise{zero, zero};
-  while (line.most > mindlin::layers) {
-    const PlanarOf<Real> more = forget_one(line);
-    rise.x += more.x, rise.y += more.y;
-    line.most = largest(line.count);
-  }
-  return give_back(line, rise);
+  return line.most > mindlin::layers ? forget(line) : sums(line);
 }
 
 /// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
