@@ -266,7 +266,8 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   line.rim_root = rim_root;
   const LayerOf<Real> rim = line.rim();
   next[last + 2] = rim;
-  next[last + 1] = select(all_slide, rim, select(tail[last], next[last], front));
+  const MaskType<Real> newest = tail[last] & !tail[last - 1] & (line.count == Real(double(mindlin::layers)));
+  next[last + 1] = select(all_slide | newest, rim, select(tail[last], next[last], front));
   for (int i = last; i >= std::max(first, 1); --i)
     next[i] = select(all_slide | !tail[i], next[i], select(tail[i - 1], next[i - 1], front));
 
