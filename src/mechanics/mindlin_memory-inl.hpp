@@ -136,8 +136,8 @@ HWY_INLINE SumsOf<Real> sums(const SpringsOf<Real>& line) {
     const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
     const Real inverse = reciprocal(a.root + b.root);
     const Real mean = fma(a.root, a.root * inverse, b.root);
-    sum.traction.x += mean * (a.x - b.x);
-    sum.traction.y += mean * (a.y - b.y);
+    sum.traction.x -= mean * (b.x - a.x);
+    sum.traction.y -= mean * (b.y - a.y);
     const PlanarOf<Real> piece = squared(a, b, inverse);
     sum.squared.x += piece.x;
     sum.squared.y += piece.y;
@@ -206,19 +206,45 @@ HWY_INLINE Mask has_digit(Batch sum, int digit) {
   return {hn::RebindMask(Tag(), hn::TestBit(hn::BitCast(di, sum.v), hn::Set(di, digit)))};
 }
 
+/// Moves the points up over those that are idle, by one place where the last binary digit of the number of idle points
+/// before them says so, then by two where the next one does, and so on.
+template <class Real>
+HWY_NOINLINE void close_up(SpringsOf<Real>& line, const MaskType<Real>* idle, int places) {
+  const Real one(1.0), nowhere(whole_bits);
+  const LayerOf<Real> rim = line.rim();
+  Real way[SpringsOf<Real>::room], idle_before = nowhere, farthest = nowhere;
+  way[0] = nowhere;
+  for (int i = 1; i < places; ++i) {
+    way[i] = select(idle[i], nowhere, idle_before);
+    idle_before = select(idle[i], idle_before + one, idle_before);
+    farthest = max(farthest, way[i]);
+  }
+  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
+    for (int i = 0; i < places; ++i) {
+      const MaskType<Real> leaves = has_digit(way[i], step);
+      LayerOf<Real> point = select(leaves, rim, line.at[i]);
+      Real stays = select(leaves, nowhere, way[i]);
+      if (i + step < places) {
+        const MaskType<Real> comes = has_digit(way[i + step], step);
+        point = select(comes, line.at[i + step], point);
+        stays = select(comes, way[i + step], stays);
+      }
+      line.at[i] = point, way[i] = stays;
+    }
+}
+
 /// One step, see mindlin::advance; returns the sums after it. @pre overlap > 0
 template <class Real>
 HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift,
                                 const Real& friction) {
-  constexpr int room = SpringsOf<Real>::room;
   const Real zero(0.0), one(1.0);
   const int last = line.most;  // the place of the old rim, where a contact has no earlier one
   const Real rim_root = sqrt(overlap);
   const ConeOf<Real> cone{overlap, rim_root, friction};
 
   // The springs after the shift, before any slides. A contact's places past its old rim are beyond the new one.
-  LayerOf<Real> next[room];
-  for (int i = 0; i < last; ++i) next[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
+  auto& next = line.at;
+  for (int i = 0; i < last; ++i) next[i].x += shift.x, next[i].y += shift.y;
   next[last] = {line.rim_root, shift.x, shift.y};
   const auto beyond = [&](int i) HWY_ATTR { return cone.at_rim(next[i]) | (Real(double(i)) > line.count); };
   LayerOf<Real> inner = next[last], outer = next[last];
@@ -291,11 +317,10 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
     for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
-  // Points on a straight line, or on top of each other, say nothing. Before each other one stand `way` of them.
+  // Points on a straight line, or on top of each other, say nothing.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
-  const Real nowhere(whole_bits);
-  Real count(1.0), way[room], farthest = nowhere;
-  way[0] = nowhere;
+  MaskType<Real> idle[SpringsOf<Real>::room], gap = zero > one, gaps = gap;
+  Real count(1.0);
   LayerOf<Real> previous = next[0], point = next[1];
   Real left = point.depth() - previous.depth();
   for (int i = 1; i <= last + 2; ++i) {
@@ -303,34 +328,23 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
     const Real right = coming.depth() - point.depth(), stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - coming.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - coming.y * left);
-    const MaskType<Real> idle = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
-                                (overlap - point.depth() <= close);
-    way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
-    count = select(idle, count, count + one);
-    farthest = max(farthest, way[i]);
-    // The next one is held against those that stay: of two points close together each is idle beside the other.
-    if (any(idle))
-      previous = select(idle, previous, point), left = select(idle, left + right, right);
-    else
+    idle[i] = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
+              (overlap - point.depth() <= close);
+    count = select(idle[i], count, count + one);
+    gaps = gaps | (gap & !idle[i]);
+    if (any(idle[i])) {
+      gap = gap | idle[i];
+      next[i] = select(idle[i], rim, point);
+      // The next one is held against those that stay: of two points close together each is idle beside the other.
+      previous = select(idle[i], previous, point), left = select(idle[i], left + right, right);
+    } else {
       previous = point, left = right;
+    }
     point = coming;
   }
-  // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
-  // one does, and so on.
-  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
-    for (int i = 0; i <= last + 2; ++i) {
-      const Real stays = select(has_digit(way[i], step), nowhere, way[i]);
-      if (i + step <= last + 2) {
-        const MaskType<Real> comes = has_digit(way[i + step], step);
-        next[i] = select(comes, next[i + step], next[i]);
-        way[i] = select(comes, way[i + step], stays);
-      } else {
-        way[i] = stays;
-      }
-    }
   line.count = count;
   line.most = largest(count);
-  for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
+  if (any(gaps)) close_up(line, idle, last + 3);
   return line.most > mindlin::layers ? forget(line) : sums(line);
 }
 
