@@ -62,18 +62,20 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     const std::size_t lane = start % mindlin::MemoryBlock::width;
     const auto remembered = [&](const mindlin::MemoryBlock::Lanes& from)
                                 HWY_ATTR { return load<Batch>(&from[lane], lanes<Batch>()); };
+    const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
+    const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
+    const V3<Batch> minor = cross(normal, major);
+    const auto [sin_spin, cos_spin] = turn_of(spin);
+    const auto turned = carried(old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
     SpringsOf<Batch> line;
     line.count = remembered(block.count);
     line.rim_root = sqrt(remembered(block.overlap));
     line.most = std::max(largest(line.count), 1);
     for (int i = 0; i < line.most; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      line.at[i] =
-          select(Batch(static_cast<double>(i)) < line.count,
-                 LayerOf<Batch>{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])}, line.rim());
+      const LayerOf<Batch> layer{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])};
+      line.at[i] = select(Batch(static_cast<double>(i)) < line.count, turned(layer), line.rim());
     }
-    const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
-    const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
 
     const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
     const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
@@ -81,9 +83,6 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       return Batch(0.375) * coefficient * fma(kappa_major, sum.squared.x, kappa_minor * sum.squared.y);
     };
 
-    const V3<Batch> minor = cross(normal, major);
-    const auto [sin_spin, cos_spin] = turn_of(spin);
-    carry(line, old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
     const Batch along = dot(moved, major), across = dot(moved, minor);
     PlanarOf<Batch> sheared_before{zero, zero};
     Batch stored_before = zero;

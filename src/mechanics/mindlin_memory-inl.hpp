@@ -291,7 +291,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   // The front comes in before the springs that slide.
   line.rim_root = rim_root;
   const LayerOf<Real> rim = line.rim();
-  next[last + 2] = rim;
+  int used = last + 2;  // places; from here on all is rim
   const MaskType<Real> newest = tail[last] & !tail[last - 1] & (line.count == Real(double(mindlin::layers)));
   next[last + 1] = select(all_slide | newest, rim, select(tail[last], next[last], front));
   for (int i = last; i >= std::max(first, 1); --i)
@@ -314,7 +314,8 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
                                  (overlap - outermost.depth() > Real(0.125) * (overlap - foot.depth()));
     const Real share = (Real(0.5) * (outermost.depth() + overlap) - inner.depth()) / (overlap - inner.depth());
     const LayerOf<Real> middle = cone.projected(between(inner, end, share));
-    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
+    next[used++] = rim;
+    for (int i = 1; i < used; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
   // Points on a straight line, or on top of each other, say nothing.
@@ -323,8 +324,8 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   Real count(1.0);
   LayerOf<Real> previous = next[0], point = next[1];
   Real left = point.depth() - previous.depth();
-  for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real> coming = i <= last + 1 ? next[i + 1] : rim;
+  for (int i = 1; i < used; ++i) {
+    const LayerOf<Real> coming = i + 1 < used ? next[i + 1] : rim;
     const Real right = coming.depth() - point.depth(), stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - coming.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - coming.y * left);
@@ -344,28 +345,33 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   }
   line.count = count;
   line.most = largest(count);
-  if (any(gaps)) close_up(line, idle, last + 3);
+  if (any(gaps)) close_up(line, idle, used);
   return line.most > mindlin::layers ? forget(line) : sums(line);
 }
 
-/// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
-/// to the new one by the shortest way, then by the spin, and keeps the springs with it.
+/// How deflections turn into the new axes of the ellipse.
 template <class Real>
-HWY_INLINE void carry(SpringsOf<Real>& line, const V3<Real>& old_normal, const V3<Real>& old_axis,
-                      const V3<Real>& normal, const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,
-                      const Real& cos_spin) {
+struct TurnOf {
+  Real sine, cosine;
+
+  HWY_INLINE LayerOf<Real> operator()(const LayerOf<Real>& layer) const {
+    return {layer.root, cosine * layer.x - sine * layer.y, sine * layer.x + cosine * layer.y};
+  }
+};
+
+/// The old axis is carried along the turn that takes the old normal to the new one by the shortest way, then by the
+/// spin, and keeps the springs with it.
+template <class Real>
+HWY_INLINE TurnOf<Real> carried(const V3<Real>& old_normal, const V3<Real>& old_axis, const V3<Real>& normal,
+                                const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,
+                                const Real& cos_spin) {
   const Real share = dot(old_axis, normal) / max(Real(1.0) + dot(old_normal, normal), Real(1e-30));
   const V3<Real> axis = old_axis - share * (old_normal + normal);
   const Real along = dot(axis, major), across = dot(axis, minor);
-  Real c = cos_spin * along - sin_spin * across, s = sin_spin * along + cos_spin * across;
+  const Real c = cos_spin * along - sin_spin * across, s = sin_spin * along + cos_spin * across;
   // Rounding must not add up: one Newton step to unit length.
   const Real unit = Real(1.5) - Real(0.5) * (c * c + s * s);
-  c *= unit, s *= unit;
-  for (int i = 0; i < line.most; ++i) {
-    const Real x = line.at[i].x, y = line.at[i].y;
-    line.at[i].x = c * x - s * y;
-    line.at[i].y = s * x + c * y;
-  }
+  return {s * unit, c * unit};
 }
 
 }  // namespace HWY_NAMESPACE

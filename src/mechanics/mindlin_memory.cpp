@@ -89,8 +89,10 @@ Springs carried(const Memory& memory, const Step& step) {
   if (springs.count == 0) return springs;
   Line line = line_of(springs);
   const Vec3 minor = step.normal.cross(step.major_axis);
-  HWY_NAMESPACE::carry<double>(line, vector(memory.normal), vector(memory.axis), vector(step.normal),
-                               vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
+  const auto turned =
+      HWY_NAMESPACE::carried<double>(vector(memory.normal), vector(memory.axis), vector(step.normal),
+                                     vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
+  for (int i = 0; i < line.most; ++i) line.at[i] = turned(line.at[i]);
   keep(springs, line);
   return springs;
 }
