@@ -172,17 +172,20 @@ HWY_INLINE void forget_one(SpringsOf<Real>& line) {
   --line.most;
 }
 
-/// Leaves out points until no contact holds more than `layers`. That must not create energy: what a component has
-/// gained by it, it loses by shrinking.
+/// Leaves out points until no contact holds more than `layers`, and returns the sums over what is left. That must not
+/// create energy: what a component has gained by it, it loses by shrinking.
 template <class Real>
 HWY_INLINE SumsOf<Real> forget(SpringsOf<Real>& line) {
-  const PlanarOf<Real> before = sums(line).squared;
+  const Real zero(0.0), one(1.0), half(0.5), least(smallest_normal);
+  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+  const bool forgets = line.most > mindlin::layers;
+  const PlanarOf<Real> before = forgets ? sums(line).squared : PlanarOf<Real>{zero, zero};
   while (line.most > mindlin::layers) forget_one(line);
   const SumsOf<Real> sum = sums(line);
-  const Real zero(0.0), one(1.0), half(0.5), least(smallest_normal);
+  if (!forgets) return sum;
   const auto shrink = [&](const Real& was, const Real& is) HWY_ATTR {
     const Real share = max(is - was, zero) * reciprocal(max(is, least));
-    return one - half * share * (one + share);  // ≤ √(1 − share)
+    return select(over, one - half * share * (one + share), one);  // ≤ √(1 − share)
   };
   const Real x = shrink(before.x, sum.squared.x), y = shrink(before.y, sum.squared.y);
   for (int i = 0; i < line.most; ++i) line.at[i].x *= x, line.at[i].y *= y;
@@ -346,7 +349,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   line.count = count;
   line.most = largest(count);
   if (any(gaps)) close_up(line, idle, used);
-  return line.most > mindlin::layers ? forget(line) : sums(line);
+  return forget(line);
 }
 
 /// How deflections turn into the new axes of the ellipse.
