@@ -76,6 +76,7 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
       const LayerOf<Batch> layer{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])};
       line.at[i] = select(Batch(static_cast<double>(i)) < line.count, turned(layer), line.rim());
     }
+    line.at[line.most] = line.rim();
 
     const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
     const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);

@@ -45,10 +45,10 @@ HWY_INLINE LayerOf<Real> between(const LayerOf<Real>& a, const LayerOf<Real>& b,
   return {sqrt(max(depth, Real(0.0))), fma(t, b.x - a.x, a.x), fma(t, b.y - a.y, a.y)};
 }
 
-/// The polyline of each contact. Points from a contact's `count` on are its rim, where s = 0.
+/// The polyline of each contact. Points from a contact's `count` on, up to place `most`, are its rim, where s = 0.
 template <class Real>
 struct SpringsOf {
-  static constexpr int room = mindlin::layers + 3;
+  static constexpr int room = mindlin::layers + 4;
   LayerOf<Real> at[room];
   Real rim_root, count;
   int most;  ///< the largest count
@@ -133,7 +133,7 @@ HWY_INLINE SumsOf<Real> sums(const SpringsOf<Real>& line) {
   SumsOf<Real> sum{{zero, zero}, {zero, zero}};
   LayerOf<Real> a = line.at[0];
   for (int i = 0; i < line.most; ++i) {
-    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
+    const LayerOf<Real> b = line.at[i + 1];
     const Real inverse = reciprocal(a.root + b.root);
     const Real mean = fma(a.root, a.root * inverse, b.root);
     sum.traction.x -= mean * (b.x - a.x);
@@ -149,12 +149,11 @@ HWY_INLINE SumsOf<Real> sums(const SpringsOf<Real>& line) {
 /// Where a contact holds more than `layers` points, leaves out the one whose triangle with its neighbours is smallest.
 template <class Real>
 HWY_INLINE void forget_one(SpringsOf<Real>& line) {
-  const LayerOf<Real> rim = line.rim();
   Real least = line.count, smallest(std::numeric_limits<double>::infinity());
   LayerOf<Real> a = line.at[0], at = line.at[1];
   Real left = at.depth() - a.depth();
   for (int i = 1; i < line.most; ++i) {
-    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
+    const LayerOf<Real> b = line.at[i + 1];
     const Real right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
@@ -166,8 +165,7 @@ HWY_INLINE void forget_one(SpringsOf<Real>& line) {
   }
   const MaskType<Real> over = line.count > Real(double(mindlin::layers));
   least = select(over, least, line.count);
-  for (int i = 1; i < line.most; ++i)
-    line.at[i] = select(Real(double(i)) >= least, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
+  for (int i = 1; i < line.most; ++i) line.at[i] = select(Real(double(i)) >= least, line.at[i + 1], line.at[i]);
   line.count = min(line.count, max(line.count - Real(1.0), Real(double(mindlin::layers))));
   --line.most;
 }
@@ -321,6 +319,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
     for (int i = 1; i < used; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
+  next[used] = rim;
   // Points on a straight line, or on top of each other, say nothing.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
   MaskType<Real> idle[SpringsOf<Real>::room], gap = zero > one, gaps = gap;
@@ -328,7 +327,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   LayerOf<Real> previous = next[0], point = next[1];
   Real left = point.depth() - previous.depth();
   for (int i = 1; i < used; ++i) {
-    const LayerOf<Real> coming = i + 1 < used ? next[i + 1] : rim;
+    const LayerOf<Real> coming = next[i + 1];
     const Real right = coming.depth() - point.depth(), stretch = left + right;
     const Real bend_x = abs(point.x * stretch - previous.x * right - coming.x * left);
     const Real bend_y = abs(point.y * stretch - previous.y * right - coming.y * left);

@@ -25,6 +25,7 @@ Line line_of(const Springs& springs) {
     const Layer& layer = springs.at[static_cast<std::size_t>(i)];
     line.at[i] = {std::sqrt(layer.depth), layer.x, layer.y};
   }
+  line.at[line.most] = line.rim();
   return line;
 }
 
@@ -52,10 +53,7 @@ void advance(Springs& springs, double overlap, Planar shift, double friction) {
     return;
   }
   Line line = line_of(springs);
-  if (line.most == 0) {  // just made: one spring at the centre
-    line.at[0] = line.rim();
-    line.most = 1;
-  }
+  if (line.most == 0) line.most = 1;  // just made: one spring at the centre
   HWY_NAMESPACE::advance<double>(line, overlap, {shift.x, shift.y}, friction);
   springs.overlap = overlap;
   keep(springs, line);
