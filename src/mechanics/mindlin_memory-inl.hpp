@@ -113,10 +113,6 @@ HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b
   const Real twice = width + width;
   return {twice * mean_square(a.x, b.x), twice * mean_square(a.y, b.y)};
 }
-template <class Real>
-HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
-  return squared(a, b, reciprocal(a.root + b.root));
-}
 
 /// What a whole polyline comes to, component by component.
 template <class Real>
@@ -289,16 +285,19 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
   const MaskType<Real> all_slide = inside;
   const LayerOf<Real> front = cone.crossing(sticks, slips);
 
-  // The front comes in before the springs that slide.
+  // The front comes in before the springs that slide. In a full memory it takes the old rim's place where no older
+  // spring slides: two points would come in at each step and two be forgotten. From the front out every trial
+  // deflection lies beyond the cone along the front's direction, so friction does no negative work.
   line.rim_root = rim_root;
   const LayerOf<Real> rim = line.rim();
-  int used = last + 2;  // places; from here on all is rim
+  int used = last + 2;  // from this place on all is rim
   const MaskType<Real> newest = tail[last] & !tail[last - 1] & (line.count == Real(double(mindlin::layers)));
   next[last + 1] = select(all_slide | newest, rim, select(tail[last], next[last], front));
   for (int i = last; i >= std::max(first, 1); --i)
     next[i] = select(all_slide | !tail[i], next[i], select(tail[i - 1], next[i - 1], front));
 
-  // Where the slide turns, the outer springs turn first: the outermost piece is halved until it is an eighth.
+  // Where the slide turns, the outer springs turn first: the outermost piece is halved until it is an eighth, while
+  // there is room.
   const LayerOf<Real> foot = select(all_slide, further, front);
   const Real sliding = friction * overlap;
   const MaskType<Real> turns = (abs(foot.x * shift.y - foot.y * shift.x) > Real(straight) * sliding * sliding) &
@@ -319,8 +318,8 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
     for (int i = 1; i < used; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
+  // Points on a straight line, or on top of each other, say nothing: the rim takes their places.
   next[used] = rim;
-  // Points on a straight line, or on top of each other, say nothing.
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
   MaskType<Real> idle[SpringsOf<Real>::room], gap = zero > one, gaps = gap;
   Real count(1.0);
@@ -335,6 +334,7 @@ HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, cons
               (overlap - point.depth() <= close);
     count = select(idle[i], count, count + one);
     gaps = gaps | (gap & !idle[i]);
+    // Hardly ever is a point idle but the last ones: predicted so, no point's test waits for that of the one before.
     if (any(idle[i])) {
       gap = gap | idle[i];
       next[i] = select(idle[i], rim, point);
