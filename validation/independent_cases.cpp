@@ -8,7 +8,11 @@
 
 namespace osculate::validation {
 
-void run_independent(const std::vector<Case>& cases, const Done& done) {
+int processors() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+void run_independent(const std::vector<Case>& cases, int threads, const Done& done) {
   constexpr std::chrono::milliseconds between_looks{100};
   std::vector<std::atomic<double>> parts(cases.size());
   std::vector<std::exception_ptr> errors(cases.size());
@@ -26,9 +30,9 @@ void run_independent(const std::vector<Case>& cases, const Done& done) {
     }
     --at_work;
   };
-  std::vector<std::jthread> threads;
-  at_work = std::min<std::size_t>(cases.size(), std::max(1U, std::thread::hardware_concurrency()));
-  for (std::size_t t = at_work; t > 0; --t) threads.emplace_back(work);
+  std::vector<std::jthread> workers;
+  at_work = std::min(cases.size(), static_cast<std::size_t>(threads));
+  for (std::size_t t = at_work; t > 0; --t) workers.emplace_back(work);
   const auto tell = [&] {
     double sum = 0.0;
     for (const std::atomic<double>& part : parts) sum += part;
@@ -38,7 +42,7 @@ void run_independent(const std::vector<Case>& cases, const Done& done) {
     std::this_thread::sleep_for(between_looks);
     tell();
   }
-  threads.clear();
+  workers.clear();
   tell();
   for (const std::exception_ptr& error : errors)
     if (error) std::rethrow_exception(error);

@@ -38,6 +38,7 @@ and standard error. φ: solid fraction; Z: contacts of a particle that is no rat
 struct Options {
   std::uint64_t particles = 200;
   int seeds = 3;
+  int threads = validation::processors();
   bool csv = false;
   bool json = false;
   std::string picture;
@@ -119,7 +120,7 @@ void run(const Options& options) {
   std::vector<PackingRow> rows;
   {
     io::Progress progress("validate packing");
-    rows = validation::packing_rows(validation::published_packings(), options.particles, options.seeds,
+    rows = validation::packing_rows(validation::published_packings(), options.particles, options.seeds, options.threads,
                                     [&](double part) { progress.update(part); });
   }
   if (options.json)
@@ -149,6 +150,9 @@ void add_validate_packing(CLI::App& validate) {
   command->add_option("--seeds", options->seeds, "Packings of each shape")
       ->capture_default_str()
       ->check(CLI::Range(2, 1000));
+  command->add_option("--threads", options->threads, "Packings at a time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   CLI::Option* csv = command->add_flag("--csv", options->csv, "Print every packing as CSV");
   command->add_flag("--json", options->json, "Print the means as JSON")->excludes(csv);
   command->add_option("--picture", options->picture, "Plot of fraction over contacts, .svg or .png");

@@ -16,17 +16,17 @@ TEST_CASE("Every case runs once and progress ends at the whole") {
       ++count;
     });
   double last = 0.0;
-  run_independent(cases, [&](double part) {
+  run_independent(cases, 3, [&](double part) {
     CHECK(part >= last);
     last = part;
   });
   CHECK(runs == std::vector<int>(37, 1));
   CHECK(last == Approx(1.0));
-  run_independent({}, {});
+  run_independent({}, 2, {});
 }
 
 TEST_CASE("The error of a case comes out when all have ended") {
   std::vector<Case> cases{[](const Done&) {}, [](const Done&) { throw std::runtime_error("no room"); },
                           [](const Done&) {}};
-  CHECK_THROWS_WITH(run_independent(cases, {}), "no room");
+  CHECK_THROWS_WITH(run_independent(cases, 2, {}), "no room");
 }

@@ -46,7 +46,7 @@ bool PackingRow::agrees() const {
 }
 
 std::vector<PackingRow> packing_rows(const std::vector<PublishedPacking>& published, std::uint64_t particles, int seeds,
-                                     const Done& done) {
+                                     int threads, const Done& done) {
   std::vector<PackingRow> rows;
   for (const PublishedPacking& one : published)
     rows.push_back({.published = one,
@@ -60,7 +60,7 @@ std::vector<PackingRow> packing_rows(const std::vector<PublishedPacking>& publis
       cases.push_back([&row, particles, seed](const Done& part) {
         row.packings[seed - 1] = jam({.shape = row.published.shape, .particles = particles, .seed = seed}, part);
       });
-  run_independent(cases, done);
+  run_independent(cases, threads, done);
   const auto mean = [](const PackingRow& row, double JammedPacking::*quantity) {
     std::vector<double> values;
     for (const JammedPacking& packing : row.packings) values.push_back(packing.*quantity);

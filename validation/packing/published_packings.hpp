@@ -43,8 +43,8 @@ struct PackingRow {
   bool agrees() const;
 };
 
-/// `seeds` ≥ 2 packings of each, with seeds 1, 2, …, as many at a time as there are processors.
+/// `seeds` ≥ 2 packings of each, with seeds 1, 2, …, `threads` of them at a time.
 std::vector<PackingRow> packing_rows(const std::vector<PublishedPacking>& published, std::uint64_t particles, int seeds,
-                                     const Done& done = {});
+                                     int threads, const Done& done = {});
 
 }  // namespace osculate::validation
