@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "osculate/dynamics/insertion.hpp"
@@ -48,8 +47,5 @@ struct Scene {
 
 /// Throws InputError "file:line:col: key …: found …; expected …". The keys are described in docs/scene-files.md.
 Scene read_scene(const std::filesystem::path& path);
-
-/// The same from text; `name` stands for the file in errors, and files named in the text are looked for in its folder.
-Scene parse_scene(std::string_view text, const std::filesystem::path& name);
 
 }  // namespace osculate::io

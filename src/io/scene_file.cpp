@@ -212,10 +212,21 @@ void add_warnings(const TomlTable& file, Scene& scene) {
                                          file.where("output"), scene.setup.time_step));
 }
 
-Scene scene_of(const TomlTable& file, std::string text, const std::filesystem::path& path) {
+}  // namespace
+
+std::uint64_t Scene::steps() const {
+  return steps_in(duration);
+}
+
+std::uint64_t Scene::steps_in(double interval) const {
+  return static_cast<std::uint64_t>(std::max(1.0, std::round(interval / setup.time_step)));
+}
+
+Scene read_scene(const std::filesystem::path& path) {
+  const TomlTable file = read_toml(path);
   Scene scene;
   scene.file = path;
-  scene.text = std::move(text);
+  scene.text = text_of(path);
   scene.title = file.text_or("title", path.stem().string());
   const std::string unit = length_unit(file);
   Setup& setup = scene.setup;
@@ -239,24 +250,6 @@ Scene scene_of(const TomlTable& file, std::string text, const std::filesystem::p
     throw InputError(path.string(), error);
   }
   return scene;
-}
-
-}  // namespace
-
-std::uint64_t Scene::steps() const {
-  return steps_in(duration);
-}
-
-std::uint64_t Scene::steps_in(double interval) const {
-  return static_cast<std::uint64_t>(std::max(1.0, std::round(interval / setup.time_step)));
-}
-
-Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
-  return scene_of(parse_toml(text, name), std::string(text), name);
-}
-
-Scene read_scene(const std::filesystem::path& path) {
-  return scene_of(read_toml(path), text_of(path), path);
 }
 
 }  // namespace osculate::io

@@ -1,102 +1,144 @@
 #include "validation/flow/flow_study.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
 
 namespace osculate::validation {
 namespace {
 
-struct Grain {
-  std::string name, shape;
-};
-/// Of equal volume, nearly: d = 5.24 mm and 5.2 mm.
-const std::vector<Grain>& grains() {
-  static const std::vector<Grain> all{
-      {"lentil, half-axes 3 : 3 : 2", R"({kind = "ellipsoid", half_axes = [3, 3, 2]})"},
-      {"rounded cube, n = 4", R"({kind = "superquadric", half_axes = [2.25, 2.25, 2.25], n = [4, 4]})"}};
-  return all;
-}
-const std::vector<double> widths{0.018, 0.021, 0.024, 0.028};    // m
 constexpr double gravity = 9.81, light_gravity = gravity / 4.0;  // m/s²
 const std::vector<double> frictions{0.1, 0.3, 0.6}, exponents{2.0, 3.0, 5.0};
 constexpr double usual_friction = 0.6, usual_exponent = 3.0;
 
-/// Where one of several equal parts of the work is.
-class Steps {
- public:
-  Steps(std::size_t count, const std::function<void(double)>& done) : count_(static_cast<double>(count)), done_(done) {}
-  void begin_next() { finished_ += 1.0; }
-  std::function<void(double)> within() const {
-    return [this](double part) {
-      if (done_) done_((finished_ + part) / count_);
-    };
-  }
+/// A simulation that may run beside others; it is told whom to tell how far it is.
+using Job = std::function<void(const std::function<void(double)>&)>;
 
- private:
-  double count_;
-  const std::function<void(double)>& done_;
-  double finished_ = 0.0;
-};
-
-DischargeSeries discharge_series(const Grain& grain, std::uint64_t particles, Steps& steps) {
-  DischargeSeries series{.name = grain.name, .widths = widths, .discharges = {}, .fit = {}, .light_rate = 0.0};
-  const auto at = [&](double width, double g) {
-    const Discharge one =
-        discharge({.shape = grain.shape, .width = width, .gravity = g, .particles = particles}, steps.within());
-    steps.begin_next();
-    return one;
+/// All of them, in this order, a few at once. Throws what the first of them that failed threw.
+void run_jobs(const std::vector<Job>& jobs, int threads, const std::function<void(double)>& done) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;  // of what follows
+  std::vector<double> parts(jobs.size(), 0.0);
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      try {
+        jobs[i]([&, i](double part) {
+          if (!done) return;
+          const std::lock_guard lock(mutex);
+          parts[i] = part;
+          done(std::reduce(parts.begin(), parts.end()) / static_cast<double>(parts.size()));
+        });
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = jobs.size();
+      }
+    }
   };
-  for (const double width : widths) series.discharges.push_back(at(width, gravity));
-  series.light_rate = at(widths.back(), light_gravity).rate;
-  series.fit = beverloo_fit(series.widths, series.discharges);
-  return series;
-}
-
-double mean_angle(double friction, double exponent, int heaps, Steps& steps) {
-  double sum = 0.0;
-  for (int seed = 1; seed <= heaps; ++seed) {
-    sum += heap_angle({.friction = friction, .exponent = exponent, .seed = static_cast<std::uint64_t>(seed)},
-                      steps.within());
-    steps.begin_next();
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
   }
-  return sum / heaps;
+  if (failure) std::rethrow_exception(failure);
 }
 
-bool increases(const std::vector<double>& values) {
-  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+bool increases(const std::vector<Discharge>& discharges) {
+  return std::adjacent_find(discharges.begin(), discharges.end(), [](const Discharge& one, const Discharge& next) {
+           return one.rate >= next.rate;
+         }) == discharges.end();
+}
+
+DischargeSeries series_of(const std::vector<Outflow>& flows) {
+  DischargeSeries series{.diameter = hopper_grain_diameter(),
+                         .widths = slot_widths(),
+                         .discharges = {},
+                         .light = steady_discharge(flows.back()),
+                         .fit = {},
+                         .overlap = 0.0};
+  for (std::size_t i = 0; i < series.widths.size(); ++i) series.discharges.push_back(steady_discharge(flows[i]));
+  for (const Outflow& flow : flows) series.overlap = std::max(series.overlap, flow.overlap);
+  series.fit = beverloo_fit(series.widths, series.discharges, series.diameter);
+  return series;
 }
 
 }  // namespace
 
+const std::vector<double>& slot_widths() {
+  static const std::vector<double> widths{0.018, 0.022, 0.027, 0.032};
+  return widths;
+}
+
+Discharge DischargeSeries::gravity_ratio() const {
+  const Discharge& usual = discharges.back();
+  const double ratio = light.rate / usual.rate;
+  return {.rate = ratio, .error = ratio * std::hypot(light.error / light.rate, usual.error / usual.rate)};
+}
+
 bool DischargeSeries::agrees() const {
-  std::vector<double> rates;
-  for (const Discharge& one : discharges) rates.push_back(one.rate);
-  constexpr double exponent = 1.5, exponent_tolerance = 0.3, least_correlation = 0.99, largest_k = 3.5,
-                   gravity_tolerance = 0.05;
-  return increases(rates) && std::fabs(fit.exponent - exponent) <= exponent_tolerance &&
-         fit.correlation >= least_correlation && fit.k > 0.0 && fit.k < largest_k &&
-         std::fabs(gravity_ratio() - 0.5) <= gravity_tolerance;
+  return increases(discharges) && fit.exponent >= expected::least_exponent && fit.exponent <= expected::most_exponent &&
+         fit.correlation >= expected::least_correlation && fit.k >= expected::least_k && fit.k <= expected::most_k &&
+         std::fabs(gravity_ratio().rate - expected::gravity_ratio) <= expected::gravity_tolerance;
+}
+
+HeapAngle mean_of(const std::vector<double>& angles) {
+  const auto count = static_cast<double>(angles.size());
+  const double mean = std::reduce(angles.begin(), angles.end()) / count;
+  double squares = 0.0;
+  for (const double angle : angles) squares += (angle - mean) * (angle - mean);
+  return {.mean = mean, .error = angles.size() > 1 ? std::sqrt(squares / (count * (count - 1.0))) : 0.0};
 }
 
 bool HeapSeries::rises() const {
-  return increases(angles);
+  return std::adjacent_find(angles.begin(), angles.end(), [](const HeapAngle& one, const HeapAngle& next) {
+           return one.mean >= next.mean;
+         }) == angles.end();
 }
 
 FlowStudy flow_study(const FlowSettings& settings, const std::function<void(double)>& done) {
-  const std::size_t kinds_of_heaps = frictions.size() + exponents.size() - 1;  // one is in both
-  Steps steps(grains().size() * (widths.size() + 1) + kinds_of_heaps * static_cast<std::size_t>(settings.heaps), done);
-  FlowStudy study;
-  for (const Grain& grain : grains()) study.discharges.push_back(discharge_series(grain, settings.particles, steps));
-  const auto angle = [&](double friction, double exponent) {
-    return mean_angle(friction, exponent, settings.heaps, steps);
+  std::vector<Job> jobs;
+  std::vector<HopperCase> hoppers;
+  for (const double width : slot_widths())
+    hoppers.push_back({.width = width, .gravity = gravity, .particles = settings.particles});
+  hoppers.push_back({.width = slot_widths().back(), .gravity = light_gravity, .particles = settings.particles});
+  std::vector<Outflow> flows(hoppers.size());
+  for (std::size_t i = 0; i < hoppers.size(); ++i)
+    jobs.emplace_back([&, i](const auto& told) { flows[i] = outflow(hoppers[i], told); });
+  std::rotate(jobs.begin(), jobs.end() - 1, jobs.end());  // the longest first
+
+  struct Heaps {
+    double friction, exponent;
+    std::vector<double> angles;
   };
-  const double usual = angle(usual_friction, usual_exponent);
-  HeapSeries by_friction{.name = "friction", .values = frictions, .angles = {}};
-  for (const double friction : frictions)
-    by_friction.angles.push_back(friction == usual_friction ? usual : angle(friction, usual_exponent));
-  HeapSeries by_exponent{.name = "exponent n", .values = exponents, .angles = {}};
+  std::vector<Heaps> heaps;
+  for (const double friction : frictions) heaps.push_back({friction, usual_exponent, {}});
   for (const double exponent : exponents)
-    by_exponent.angles.push_back(exponent == usual_exponent ? usual : angle(usual_friction, exponent));
+    if (exponent != usual_exponent) heaps.push_back({usual_friction, exponent, {}});
+  const auto count = static_cast<std::size_t>(settings.heaps);
+  for (Heaps& kind : heaps) {
+    kind.angles.resize(count);
+    for (std::size_t seed = 1; seed <= count; ++seed)
+      jobs.emplace_back([&kind, seed](const auto& told) {
+        kind.angles[seed - 1] = heap_angle({.friction = kind.friction, .exponent = kind.exponent, .seed = seed}, told);
+      });
+  }
+  run_jobs(jobs, settings.threads, done);
+
+  const auto angle = [&](double friction, double exponent) {
+    return mean_of(std::find_if(heaps.begin(), heaps.end(), [&](const Heaps& kind) {
+                     return kind.friction == friction && kind.exponent == exponent;
+                   })->angles);
+  };
+  FlowStudy study{.discharge = series_of(flows), .heaps = {}};
+  HeapSeries by_friction{.name = "friction μ", .values = frictions, .angles = {}};
+  for (const double friction : frictions) by_friction.angles.push_back(angle(friction, usual_exponent));
+  HeapSeries by_exponent{.name = "exponent n", .values = exponents, .angles = {}};
+  for (const double exponent : exponents) by_exponent.angles.push_back(angle(usual_friction, exponent));
   study.heaps = {by_friction, by_exponent};
   return study;
 }

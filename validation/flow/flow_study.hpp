@@ -1,6 +1,7 @@
 #pragma once
 // The discharges and heaps that `osculate validate flow` shows, and what they should be like.
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,40 +11,62 @@
 
 namespace osculate::validation {
 
-/// One kind of grain at several widths of the slot.
+/// A hopper at several widths of its slot.
 struct DischargeSeries {
-  std::string name;
+  double diameter;             ///< d of the grains [m]
   std::vector<double> widths;  ///< [m], increasing
   std::vector<Discharge> discharges;
+  Discharge light;  ///< at the widest slot and a quarter of the gravity
   BeverlooFit fit;
-  double light_rate;  ///< at the widest slot and a quarter of the gravity [kg/s]
+  double overlap;  ///< mean of grains on grains at rest, the largest of the series [m]
 
-  /// √g: half of it at a quarter of the gravity.
-  double gravity_ratio() const { return light_rate / discharges.back().rate; }
-  /// Rates rise with the width, their exponent is 3/2 within 0.3, the line's correlation at least 0.99, k between 0 and
-  /// 3.5, and the ratio above a half within a tenth.
+  /// √g: half at a quarter of the gravity.
+  Discharge gravity_ratio() const;
+  /// Rates rise with the width; k, the exponent and the correlation are what `expected` says, and the ratio is a half
+  /// within a tenth.
   bool agrees() const;
 };
 
-/// Angles of heaps that differ in one thing.
+/// Of k the published range. The exponent follows from it: grains of k = 1 or 2 discharge with the power 3/2 of
+/// D − k d, and at the widths here that looks like the power 1.3 or 1.9 of D − 1.4 d.
+namespace expected {
+inline constexpr double least_k = 1.0, most_k = 3.5;
+inline constexpr double least_exponent = 1.3, most_exponent = 1.9;
+inline constexpr double least_correlation = 0.99;
+inline constexpr double gravity_ratio = 0.5, gravity_tolerance = 0.05;
+}  // namespace expected
+
+/// Mean of several heaps.
+struct HeapAngle {
+  double mean;   ///< [rad]
+  double error;  ///< its standard error [rad], 0 of a single heap
+};
+HeapAngle mean_of(const std::vector<double>& angles);
+
+/// Heaps that differ in one thing.
 struct HeapSeries {
   std::string name;
   std::vector<double> values;  ///< of what differs, increasing
-  std::vector<double> angles;  ///< [rad]
+  std::vector<HeapAngle> angles;
 
   bool rises() const;
 };
 
 struct FlowStudy {
-  std::vector<DischargeSeries> discharges;
+  DischargeSeries discharge;
   std::vector<HeapSeries> heaps;
 };
 
 struct FlowSettings {
-  std::uint64_t particles = 800;  ///< in the hopper
-  int heaps = 1;                  ///< of each kind, with seeds 1, 2, …: their mean counts
+  std::uint64_t particles = 1200;  ///< in the hopper
+  int heaps = 2;                   ///< of each kind, with seeds 1, 2, …: their mean counts
+  int threads = 1;                 ///< simulations at once
 };
 
+/// The slots of the study [m].
+const std::vector<double>& slot_widths();
+
+/// @param done  is told now and then how far it is, 0 to 1, by one thread at a time
 FlowStudy flow_study(const FlowSettings& settings, const std::function<void(double)>& done = {});
 
 }  // namespace osculate::validation
