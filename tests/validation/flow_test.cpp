@@ -94,7 +94,7 @@ TEST_CASE("The steady rate is that between the first tenth and a filling as low 
   for (int i = 0; i <= 300; ++i) {
     const double time = 1e-3 * i;
     // At first, and when little is left, all is different.
-    const double mass = time < 0.05 ? time : 0.05 + rate * (time - 0.05) * (time < 0.2 ? 1.0 : 3.0);
+    const double mass = time < 0.05 ? time : 0.05 + rate * (time - 0.05) * (time < 0.2005 ? 1.0 : 3.0);
     out.times.push_back(time);
     out.masses.push_back(mass);
     out.heights.push_back(hopper_bin_width * (1.0 + 0.5 * (0.2 - time)));
@@ -124,10 +124,10 @@ TEST_CASE("The angle of a cone comes from its medians, whatever lies far away") 
 }
 
 TEST_CASE("Angles of heaps have a mean and its error, and rise only if every step does") {
-  const HeapAngle mean = mean_of({0.2, 0.3, 0.4});
+  const HeapAngle mean = mean_angle({0.2, 0.3, 0.4});
   CHECK(mean.mean == Approx(0.3));
   CHECK(mean.error == Approx(0.1 / std::sqrt(3.0)));
-  CHECK(mean_of({0.2}).error == 0.0);
+  CHECK(mean_angle({0.2}).error == 0.0);
   HeapSeries series{.name = "", .values = {1.0, 2.0, 3.0}, .angles = {{0.2, 0.0}, {0.3, 0.0}, {0.4, 0.0}}};
   CHECK(series.rises());
   series.angles[2].mean = 0.25;

@@ -86,7 +86,7 @@ bool DischargeSeries::agrees() const {
          std::fabs(gravity_ratio().rate - expected::gravity_ratio) <= expected::gravity_tolerance;
 }
 
-HeapAngle mean_of(const std::vector<double>& angles) {
+HeapAngle mean_angle(const std::vector<double>& angles) {
   const auto count = static_cast<double>(angles.size());
   const double mean = std::reduce(angles.begin(), angles.end()) / count;
   double squares = 0.0;
@@ -130,9 +130,9 @@ FlowStudy flow_study(const FlowSettings& settings, const std::function<void(doub
   run_jobs(jobs, settings.threads, done);
 
   const auto angle = [&](double friction, double exponent) {
-    return mean_of(std::find_if(heaps.begin(), heaps.end(), [&](const Heaps& kind) {
-                     return kind.friction == friction && kind.exponent == exponent;
-                   })->angles);
+    return mean_angle(std::find_if(heaps.begin(), heaps.end(), [&](const Heaps& kind) {
+                        return kind.friction == friction && kind.exponent == exponent;
+                      })->angles);
   };
   FlowStudy study{.discharge = series_of(flows), .heaps = {}};
   HeapSeries by_friction{.name = "friction μ", .values = frictions, .angles = {}};

@@ -41,7 +41,7 @@ struct HeapAngle {
   double mean;   ///< [rad]
   double error;  ///< its standard error [rad], 0 of a single heap
 };
-HeapAngle mean_of(const std::vector<double>& angles);
+HeapAngle mean_angle(const std::vector<double>& angles);
 
 /// Heaps that differ in one thing.
 struct HeapSeries {
