@@ -80,10 +80,24 @@ Discharge DischargeSeries::gravity_ratio() const {
   return {.rate = ratio, .error = ratio * std::hypot(light.error / light.rate, usual.error / usual.rate)};
 }
 
+bool DischargeSeries::exponent_agrees() const {
+  return fit.exponent >= expected::least_exponent && fit.exponent <= expected::most_exponent;
+}
+
+bool DischargeSeries::k_agrees() const {
+  return fit.k >= expected::least_k && fit.k <= expected::most_k;
+}
+
+bool DischargeSeries::is_straight() const {
+  return increases(discharges) && fit.correlation >= expected::least_correlation;
+}
+
+bool DischargeSeries::gravity_agrees() const {
+  return std::fabs(gravity_ratio().rate - expected::gravity_ratio) <= expected::gravity_tolerance;
+}
+
 bool DischargeSeries::agrees() const {
-  return increases(discharges) && fit.exponent >= expected::least_exponent && fit.exponent <= expected::most_exponent &&
-         fit.correlation >= expected::least_correlation && fit.k >= expected::least_k && fit.k <= expected::most_k &&
-         std::fabs(gravity_ratio().rate - expected::gravity_ratio) <= expected::gravity_tolerance;
+  return exponent_agrees() && k_agrees() && is_straight() && gravity_agrees();
 }
 
 HeapAngle mean_angle(const std::vector<double>& angles) {

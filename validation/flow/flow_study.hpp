@@ -22,13 +22,16 @@ struct DischargeSeries {
 
   /// √g: half at a quarter of the gravity.
   Discharge gravity_ratio() const;
-  /// Rates rise with the width; k, the exponent and the correlation are what `expected` says, and the ratio is a half
-  /// within a tenth.
-  bool agrees() const;
+  bool exponent_agrees() const;
+  bool k_agrees() const;
+  bool is_straight() const;  ///< W^{2/3} over the width
+  bool gravity_agrees() const;
+  bool agrees() const;  ///< in all of these
 };
 
-/// Of k the published range. The exponent follows from it: grains of k = 1 or 2 discharge with the power 3/2 of
-/// D − k d, and at the widths here that looks like the power 1.3 or 1.9 of D − 1.4 d.
+/// Of k the range that is commonly quoted for various grains, mostly over flat bottoms. The exponent follows from it:
+/// grains of k = 1 or 2 discharge with the power 3/2 of D − k d, and at the widths here that looks like the power 1.3
+/// or 1.9 of D − 1.4 d.
 namespace expected {
 inline constexpr double least_k = 1.0, most_k = 3.5;
 inline constexpr double least_exponent = 1.3, most_exponent = 1.9;
