@@ -62,37 +62,36 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     const std::size_t lane = start % mindlin::MemoryBlock::width;
     const auto remembered = [&](const mindlin::MemoryBlock::Lanes& from)
                                 HWY_ATTR { return load<Batch>(&from[lane], lanes<Batch>()); };
+    const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
+    const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
+    const V3<Batch> minor = cross(normal, major);
+    const auto [sin_spin, cos_spin] = turn_of(spin);
+    const auto turned = carried(old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
     SpringsOf<Batch> line;
     line.count = remembered(block.count);
     line.rim_root = sqrt(remembered(block.overlap));
     line.most = std::max(largest(line.count), 1);
     for (int i = 0; i < line.most; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      line.at[i] =
-          select(Batch(static_cast<double>(i)) < line.count,
-                 LayerOf<Batch>{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])}, line.rim());
+      const LayerOf<Batch> layer{remembered(block.root[k]), remembered(block.x[k]), remembered(block.y[k])};
+      line.at[i] = select(Batch(static_cast<double>(i)) < line.count, turned(layer), line.rim());
     }
-    const V3<Batch> old_normal{remembered(block.normal[0]), remembered(block.normal[1]), remembered(block.normal[2])};
-    const V3<Batch> old_axis{remembered(block.axis[0]), remembered(block.axis[1]), remembered(block.axis[2])};
+    line.at[line.most] = line.rim();
 
     const bool energies = !output.stored_tangential.empty() || !output.friction_loss.empty();
     const Batch coefficient = Batch(2.0 / 3.0) * state.stiffness / sqrt(overlap);
-    const auto stored = [&](const SpringsOf<Batch>& springs) HWY_ATTR {
-      const PlanarOf<Batch> sum = squared(springs);
-      return Batch(0.375) * coefficient * fma(kappa_major, sum.x, kappa_minor * sum.y);
+    const auto stored = [&](const SumsOf<Batch>& sum) HWY_ATTR {
+      return Batch(0.375) * coefficient * fma(kappa_major, sum.squared.x, kappa_minor * sum.squared.y);
     };
 
-    const V3<Batch> minor = cross(normal, major);
-    const auto [sin_spin, cos_spin] = turn_of(spin);
-    carry(line, old_normal, old_axis, normal, major, minor, sin_spin, cos_spin);
     const Batch along = dot(moved, major), across = dot(moved, minor);
     PlanarOf<Batch> sheared_before{zero, zero};
     Batch stored_before = zero;
     if (energies) {
       const Mask held = line.count > zero;
-      sheared_before = traction(line);
-      stored_before = select(held & (line.rim_root > zero), stored(line), zero);
-      sheared_before = {select(held, sheared_before.x, zero), select(held, sheared_before.y, zero)};
+      const SumsOf<Batch> before = sums(line);
+      stored_before = select(held & (line.rim_root > zero), stored(before), zero);
+      sheared_before = {select(held, before.traction.x, zero), select(held, before.traction.y, zero)};
     }
     Batch dashpot = Batch(pair.damping_time) * state.stiffness;
     if (pair.damping_factor > 0.0)
@@ -102,9 +101,10 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     // Every spring slides at the same share of its limit as the load is of the elastic one; held finite for δ → 0.
     const Batch unlimited(1e30), smallest(smallest_normal);
     const Batch load = min(max(fma(dashpot * rate, reciprocal(max(state.force, smallest)), one), zero), unlimited);
-    const PlanarOf<Batch> sheared =
+    const SumsOf<Batch> after =
         advance(line, overlap, {along * reciprocal(kappa_major), across * reciprocal(kappa_minor)},
                 Batch(pair.friction) * load);
+    const PlanarOf<Batch>& sheared = after.traction;
 
     const V3<Batch> force =
         (coefficient * sheared.x) * major + (coefficient * sheared.y) * minor - normal_force * normal;
@@ -121,7 +121,7 @@ void mindlin_contacts(const mindlin::Pair& pair, const mindlin::BatchInput& inpu
     say(state.strain_energy, output.stored_normal);
     say((normal_force - state.force) * rate, output.viscous_power);
     if (energies) {
-      const Batch stored_now = stored(line);
+      const Batch stored_now = stored(after);
       say(stored_now, output.stored_tangential);
       if (!output.friction_loss.empty()) {
         const Batch work = Batch(0.5) * coefficient *

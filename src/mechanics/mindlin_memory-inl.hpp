@@ -45,10 +45,10 @@ HWY_INLINE LayerOf<Real> between(const LayerOf<Real>& a, const LayerOf<Real>& b,
   return {sqrt(max(depth, Real(0.0))), fma(t, b.x - a.x, a.x), fma(t, b.y - a.y, a.y)};
 }
 
-/// The polyline of each contact. Points from a contact's `count` on are its rim, where s = 0.
+/// The polyline of each contact. Points from a contact's `count` on, up to place `most`, are its rim, where s = 0.
 template <class Real>
 struct SpringsOf {
-  static constexpr int room = mindlin::layers + 3;
+  static constexpr int room = mindlin::layers + 4;
   LayerOf<Real> at[room];
   Real rim_root, count;
   int most;  ///< the largest count
@@ -73,6 +73,8 @@ struct ConeOf {
   }
   /// Where the line from a spring that sticks to one that slides leaves the cone; the second itself if it sticks too.
   HWY_INLINE LayerOf<Real> crossing(const LayerOf<Real>& sticks, const LayerOf<Real>& slips) const {
+    const MaskType<Real> leaves = slides(slips);
+    if (!any(leaves)) return slips;
     const Real zero(0.0), one(1.0);
     const Real drop = friction * (slips.depth() - sticks.depth()), r = radius(sticks);
     const Real dx = slips.x - sticks.x, dy = slips.y - sticks.y;
@@ -86,7 +88,7 @@ struct ConeOf {
     const Real divisor = select(forward, B + root, A);
     const MaskType<Real> sound = divisor > zero;
     const Real t = select(sound, select(forward, -C, root - B) / select(sound, divisor, one), zero);
-    return select(slides(slips), between(sticks, slips, max(zero, min(t, one))), slips);
+    return select(leaves, between(sticks, slips, max(zero, min(t, one))), slips);
   }
 };
 
@@ -98,10 +100,11 @@ struct PlanarOf {
 /// ∫ η^{−1/2} s_x², s_y² dη along a straight piece from a to b. With v the share of the way in √η that is
 /// 2 (√η_b − √η_a) ∫ s² dv, s = s_a + (s_b − s_a) ((1 − k) v + k v²), k = (√η_b − √η_a)/(√η_b + √η_a): mean and
 /// variance of s over v, both of which keep their sign.
+/// @param inverse  1/(√η_a + √η_b)
 template <class Real>
-HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b) {
+HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b, const Real& inverse) {
   const Real width = b.root - a.root;
-  const Real k = width * reciprocal(b.root + a.root);
+  const Real k = width * inverse;
   const Real middle = fma(Real(-1.0 / 6.0), k, Real(0.5)), spread = fma(Real(1.0 / 180.0) * k, k, Real(1.0 / 12.0));
   const auto mean_square = [&](const Real& from, const Real& to) HWY_ATTR {
     const Real rise = to - from, mean = fma(rise, middle, from);
@@ -111,45 +114,42 @@ HWY_INLINE PlanarOf<Real> squared(const LayerOf<Real>& a, const LayerOf<Real>& b
   return {twice * mean_square(a.x, b.x), twice * mean_square(a.y, b.y)};
 }
 
-/// The same over the whole polyline. @pre overlap > 0 wherever the result is used
+/// What a whole polyline comes to, component by component.
 template <class Real>
-HWY_INLINE PlanarOf<Real> squared(const SpringsOf<Real>& line) {
-  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
-  for (int i = 0; i < line.most; ++i) {
-    const PlanarOf<Real> piece = squared(line.at[i], i + 1 < line.most ? line.at[i + 1] : line.rim());
-    sum.x += piece.x;
-    sum.y += piece.y;
-  }
-  return sum;
-}
+struct SumsOf {
+  PlanarOf<Real> traction;  ///< ∫ F' (−s') dη/k
+  PlanarOf<Real> squared;   ///< ∫ η^{−1/2} s² dη
+};
 
-/// ∫ F' (−s') dη/k; on a straight piece (q_2³ − q_1³)/(q_2² − q_1²) of q = √η is the mean of F'/k.
+/// On a straight piece (q_2³ − q_1³)/(q_2² − q_1²) of q = √η is the mean of F'/k.
+/// @pre overlap > 0 wherever the result is used
 template <class Real>
-HWY_INLINE PlanarOf<Real> traction(const SpringsOf<Real>& line) {
-  PlanarOf<Real> sum{Real(0.0), Real(0.0)};
+HWY_INLINE SumsOf<Real> sums(const SpringsOf<Real>& line) {
+  const Real zero(0.0);
+  SumsOf<Real> sum{{zero, zero}, {zero, zero}};
+  LayerOf<Real> a = line.at[0];
   for (int i = 0; i < line.most; ++i) {
-    const LayerOf<Real>& a = line.at[i];
-    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : line.rim();
-    const Real mean = fma(a.root, a.root * reciprocal(a.root + b.root), b.root);
-    sum.x += mean * (a.x - b.x);
-    sum.y += mean * (a.y - b.y);
+    const LayerOf<Real> b = line.at[i + 1];
+    const Real inverse = reciprocal(a.root + b.root);
+    const Real mean = fma(a.root, a.root * inverse, b.root);
+    sum.traction.x -= mean * (b.x - a.x);
+    sum.traction.y -= mean * (b.y - a.y);
+    const PlanarOf<Real> piece = squared(a, b, inverse);
+    sum.squared.x += piece.x;
+    sum.squared.y += piece.y;
+    a = b;
   }
   return sum;
 }
 
 /// Where a contact holds more than `layers` points, leaves out the one whose triangle with its neighbours is smallest.
-/// Returns what the energy of each component rises by, in the measure of `squared`; it may fall.
 template <class Real>
-HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
-  const Real zero(0.0), one(1.0);
-  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
-  const LayerOf<Real> rim = line.rim();
-  LayerOf<Real> before = line.at[0], point = line.at[1], after = rim;
-  Real least(1.0), smallest(std::numeric_limits<double>::infinity());
+HWY_INLINE void forget_one(SpringsOf<Real>& line) {
+  Real least = line.count, smallest(std::numeric_limits<double>::infinity());
   LayerOf<Real> a = line.at[0], at = line.at[1];
   Real left = at.depth() - a.depth();
   for (int i = 1; i < line.most; ++i) {
-    const LayerOf<Real> b = i + 1 < line.most ? line.at[i + 1] : rim;
+    const LayerOf<Real> b = line.at[i + 1];
     const Real right = b.depth() - at.depth(), stretch = left + right;
     const Real bend_x = at.x * stretch - a.x * right - b.x * left;
     const Real bend_y = at.y * stretch - a.y * right - b.y * left;
@@ -157,44 +157,33 @@ HWY_NOINLINE PlanarOf<Real> forget_one(SpringsOf<Real>& line) {
     const MaskType<Real> better = (Real(double(i)) < line.count) & (area < smallest);
     smallest = select(better, area, smallest);
     least = select(better, Real(double(i)), least);
-    before = select(better, a, before);
-    point = select(better, at, point);
-    after = select(better, b, after);
     a = at, at = b, left = right;
   }
-  const PlanarOf<Real> first = squared(before, point), second = squared(point, after), chord = squared(before, after);
-  for (int i = 1; i < line.most; ++i) {
-    const MaskType<Real> moves = over & (Real(double(i)) >= least);
-    line.at[i] = select(moves, i + 1 < line.most ? line.at[i + 1] : rim, line.at[i]);
-  }
-  line.count = select(over, line.count - one, line.count);
-  return {select(over, chord.x - first.x - second.x, zero), select(over, chord.y - first.y - second.y, zero)};
+  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+  least = select(over, least, line.count);
+  for (int i = 1; i < line.most; ++i) line.at[i] = select(Real(double(i)) >= least, line.at[i + 1], line.at[i]);
+  line.count = min(line.count, max(line.count - Real(1.0), Real(double(mindlin::layers))));
+  --line.most;
 }
 
-/// Shrinks each component until its energy has fallen by `rise`: forgetting must not create energy. Returns the
-/// traction that is left. The traction t
-/// bounds the energy from below, ∫ η^{−1/2} s² dη ≥ (4/3 t)²/(2 δ^{1/2}), which is enough where the rise is small
-/// beside it; else the energy itself is found.
+/// Leaves out points until no contact holds more than `layers`, and returns the sums over what is left. That must not
+/// create energy: what a component has gained by it, it loses by shrinking.
 template <class Real>
-HWY_INLINE PlanarOf<Real> give_back(SpringsOf<Real>& line, const PlanarOf<Real>& rise) {
-  static constexpr double small = 0.01;
-  const Real zero(0.0), one(1.0);
-  const PlanarOf<Real> sheared = traction(line);
-  const Real share = Real(8.0 / 9.0) * reciprocal(line.rim_root);
-  PlanarOf<Real> energy{share * sheared.x * sheared.x, share * sheared.y * sheared.y};
-  const MaskType<Real> near = (rise.x > Real(small) * energy.x) | (rise.y > Real(small) * energy.y);
-  if (any(near)) {
-    const PlanarOf<Real> exact = squared(line);
-    energy = {select(near, exact.x, energy.x), select(near, exact.y, energy.y)};
-  }
-  const Real least(smallest_normal);
-  const auto shrink = [&](const Real& more, const Real& of) HWY_ATTR {
-    const Real left = max(one - more * reciprocal(max(of, least)), least);
-    return select(more > zero, left * inverse_sqrt(left), one);
+HWY_INLINE SumsOf<Real> forget(SpringsOf<Real>& line) {
+  const Real zero(0.0), one(1.0), half(0.5), least(smallest_normal);
+  const MaskType<Real> over = line.count > Real(double(mindlin::layers));
+  const bool forgets = line.most > mindlin::layers;
+  const PlanarOf<Real> before = forgets ? sums(line).squared : PlanarOf<Real>{zero, zero};
+  while (line.most > mindlin::layers) forget_one(line);
+  const SumsOf<Real> sum = sums(line);
+  if (!forgets) return sum;
+  const auto shrink = [&](const Real& was, const Real& is) HWY_ATTR {
+    const Real share = max(is - was, zero) * reciprocal(max(is, least));
+    return select(over, one - half * share * (one + share), one);  // ≤ √(1 − share)
   };
-  const Real scale_x = shrink(rise.x, energy.x), scale_y = shrink(rise.y, energy.y);
-  for (int i = 0; i < line.most; ++i) line.at[i].x *= scale_x, line.at[i].y *= scale_y;
-  return {scale_x * sheared.x, scale_y * sheared.y};
+  const Real x = shrink(before.x, sum.squared.x), y = shrink(before.y, sum.squared.y);
+  for (int i = 0; i < line.most; ++i) line.at[i].x *= x, line.at[i].y *= y;
+  return {{x * sum.traction.x, y * sum.traction.y}, {x * x * sum.squared.x, y * y * sum.squared.y}};
 }
 
 HWY_INLINE int largest(double count) {
@@ -214,28 +203,54 @@ HWY_INLINE Mask has_digit(Batch sum, int digit) {
   return {hn::RebindMask(Tag(), hn::TestBit(hn::BitCast(di, sum.v), hn::Set(di, digit)))};
 }
 
-/// One step, see mindlin::advance; returns the traction after it. @pre overlap > 0
+/// Moves the points up over those that are idle, by one place where the last binary digit of the number of idle points
+/// before them says so, then by two where the next one does, and so on.
 template <class Real>
-HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift,
-                                  const Real& friction) {
-  constexpr int room = SpringsOf<Real>::room;
+HWY_NOINLINE void close_up(SpringsOf<Real>& line, const MaskType<Real>* idle, int places) {
+  const Real one(1.0), nowhere(whole_bits);
+  const LayerOf<Real> rim = line.rim();
+  Real way[SpringsOf<Real>::room], idle_before = nowhere, farthest = nowhere;
+  way[0] = nowhere;
+  for (int i = 1; i < places; ++i) {
+    way[i] = select(idle[i], nowhere, idle_before);
+    idle_before = select(idle[i], idle_before + one, idle_before);
+    farthest = max(farthest, way[i]);
+  }
+  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
+    for (int i = 0; i < places; ++i) {
+      const MaskType<Real> leaves = has_digit(way[i], step);
+      LayerOf<Real> point = select(leaves, rim, line.at[i]);
+      Real stays = select(leaves, nowhere, way[i]);
+      if (i + step < places) {
+        const MaskType<Real> comes = has_digit(way[i + step], step);
+        point = select(comes, line.at[i + step], point);
+        stays = select(comes, way[i + step], stays);
+      }
+      line.at[i] = point, way[i] = stays;
+    }
+}
+
+/// One step, see mindlin::advance; returns the sums after it. @pre overlap > 0
+template <class Real>
+HWY_INLINE SumsOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, const PlanarOf<Real>& shift,
+                                const Real& friction) {
   const Real zero(0.0), one(1.0);
-  const int last = std::min(line.most, mindlin::layers);  // the place of the old rim
+  const int last = line.most;  // the place of the old rim, where a contact has no earlier one
   const Real rim_root = sqrt(overlap);
-  const Real old_depth = line.rim_root * line.rim_root;
   const ConeOf<Real> cone{overlap, rim_root, friction};
 
-  // The springs after the shift, before any slides. Places past a contact's count repeat its old rim.
-  LayerOf<Real> trial[mindlin::layers + 1];
-  MaskType<Real> beyond[mindlin::layers + 1];  // outside the new rim
-  for (int i = 0; i < last; ++i) trial[i] = {line.at[i].root, line.at[i].x + shift.x, line.at[i].y + shift.y};
-  trial[last] = {line.rim_root, shift.x, shift.y};
-  for (int i = 0; i <= last; ++i) beyond[i] = cone.at_rim(trial[i]);
-  LayerOf<Real> inner = trial[0], outer = trial[last];
-  for (int i = 0; i < last; ++i) {
-    const MaskType<Real> cut = (!beyond[i]) & beyond[i + 1];
-    inner = select(cut, trial[i], inner);
-    outer = select(cut, trial[i + 1], outer);
+  // The springs after the shift, before any slides. A contact's places past its old rim are beyond the new one.
+  auto& next = line.at;
+  for (int i = 0; i < last; ++i) next[i].x += shift.x, next[i].y += shift.y;
+  next[last] = {line.rim_root, shift.x, shift.y};
+  const auto beyond = [&](int i) HWY_ATTR { return cone.at_rim(next[i]) | (Real(double(i)) > line.count); };
+  LayerOf<Real> inner = next[last], outer = next[last];
+  int cut = last;  // from here on inwards no contact is beyond its rim
+  for (; cut > 0; --cut) {
+    const MaskType<Real> out = beyond(cut);
+    if (!any(out)) break;
+    inner = select(out, next[cut - 1], inner);
+    outer = select(out, next[cut], outer);
   }
   const MaskType<Real> grows = rim_root > line.rim_root;
   const Real length = outer.depth() - inner.depth();
@@ -246,124 +261,119 @@ HWY_INLINE PlanarOf<Real> advance(SpringsOf<Real>& line, const Real& overlap, co
 
   // From the rim inwards: which springs belong to the slide at the rim.
   MaskType<Real> tail[mindlin::layers + 1];
-  LayerOf<Real> held[mindlin::layers + 1];
-  LayerOf<Real> sticks = trial[0], slips = end;
+  LayerOf<Real> sticks = next[0], slips = end, further = end;
   MaskType<Real> inside = zero < one;
+  int first = last + 1;  // from here on outwards some contact's springs slide
   for (int i = last; i >= 0; --i) {
-    const LayerOf<Real> point = select(beyond[i], end, trial[i]);
-    tail[i] = inside & (beyond[i] | cone.slides(point));
-    const MaskType<Real> front = inside & !tail[i];
+    LayerOf<Real> point = next[i];
+    MaskType<Real> out = cone.slides(point);
+    if (i > cut) {
+      const MaskType<Real> gone = beyond(i);
+      point = select(gone, end, point);
+      out = gone | out;
+    }
+    tail[i] = inside & out;
+    const MaskType<Real> front = inside & !out;
     sticks = select(front, point, sticks);
-    slips = select(front, i == last ? end : trial[i + 1], slips);
+    slips = select(front, further, slips);
     inside = tail[i];
-    trial[i] = point;
-    held[i] = cone.projected(point);
+    further = point;
+    next[i] = point;
+    if (any(out)) next[i] = cone.projected(point);
+    if (any(inside)) first = i;
   }
   const MaskType<Real> all_slide = inside;
   const LayerOf<Real> front = cone.crossing(sticks, slips);
 
+  // The front comes in before the springs that slide. In a full memory it takes the old rim's place where no older
+  // spring slides: two points would come in at each step and two be forgotten. From the front out every trial
+  // deflection lies beyond the cone along the front's direction, so friction does no negative work.
   line.rim_root = rim_root;
   const LayerOf<Real> rim = line.rim();
-  LayerOf<Real> next[room];
-  next[0] = held[0];
-  for (int i = 1; i <= last; ++i)
-    next[i] = select(all_slide | !tail[i], held[i], select(tail[i - 1], held[i - 1], front));
-  next[last + 1] = select(all_slide, rim, select(tail[last], held[last], front));
-  next[last + 2] = rim;
+  int used = last + 2;  // from this place on all is rim
+  const MaskType<Real> newest = tail[last] & !tail[last - 1] & (line.count == Real(double(mindlin::layers)));
+  next[last + 1] = select(all_slide | newest, rim, select(tail[last], next[last], front));
+  for (int i = last; i >= std::max(first, 1); --i)
+    next[i] = select(all_slide | !tail[i], next[i], select(tail[i - 1], next[i - 1], front));
 
-  // Where the slide turns, the outer springs turn first: the outermost piece is halved until it is an eighth.
-  const LayerOf<Real> foot = select(all_slide, trial[0], front);
+  // Where the slide turns, the outer springs turn first: the outermost piece is halved until it is an eighth, while
+  // there is room.
+  const LayerOf<Real> foot = select(all_slide, further, front);
   const Real sliding = friction * overlap;
-  const MaskType<Real> turns = abs(foot.x * shift.y - foot.y * shift.x) > Real(straight) * sliding * sliding;
+  const MaskType<Real> turns = (abs(foot.x * shift.y - foot.y * shift.x) > Real(straight) * sliding * sliding) &
+                               (line.count < Real(double(mindlin::layers)));
   if (any(turns)) {
-    LayerOf<Real> last_trial = trial[0], last_next = next[0];
-    Real places(1.0), points(1.0);  // copies of the old rim take places, and are one point
-    for (int i = 1; i <= last; ++i) last_trial = select(beyond[i], last_trial, trial[i]);
+    LayerOf<Real> outermost = next[0];
+    Real places(1.0);
     for (int i = 1; i <= last + 1; ++i) {
       const MaskType<Real> is_rim = cone.at_rim(next[i]);
-      points = select((!is_rim) & (next[i].root > last_next.root), points + one, points);
-      last_next = select(is_rim, last_next, next[i]);
+      outermost = select(is_rim, outermost, next[i]);
       places = select(is_rim, places, places + one);
     }
-    const MaskType<Real> slip_there = cone.slides(slips);
-    const MaskType<Real> halve = turns & (all_slide | slip_there) & (points < Real(double(mindlin::layers))) &
-                                 (overlap - last_next.depth() > Real(0.125) * (overlap - foot.depth()));
-    const Real share =
-        (Real(0.5) * (last_next.depth() + overlap) - last_trial.depth()) / (overlap - last_trial.depth());
-    const LayerOf<Real> middle = cone.projected(between(last_trial, end, share));
-    for (int i = 1; i <= last + 2; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
+    const MaskType<Real> halve = turns & (all_slide | cone.slides(slips)) & (places < Real(double(mindlin::layers))) &
+                                 (overlap - outermost.depth() > Real(0.125) * (overlap - foot.depth()));
+    const Real share = (Real(0.5) * (outermost.depth() + overlap) - inner.depth()) / (overlap - inner.depth());
+    const LayerOf<Real> middle = cone.projected(between(inner, end, share));
+    next[used++] = rim;
+    for (int i = 1; i < used; ++i) next[i] = select(halve & (places == Real(double(i))), middle, next[i]);
   }
 
-  // Points on a straight line, or on top of each other, say nothing. Before each other one stand `way` of them.
+  // Points on a straight line, or on top of each other, say nothing: the rim takes their places.
+  next[used] = rim;
   const Real rounding = Real(straight) * sliding, close = Real(nearest) * overlap;
-  const Real nowhere(whole_bits);
-  // Copies of the old rim are followed by what comes after them all.
-  const LayerOf<Real> after = select(next[last + 1].depth() - old_depth > close, next[last + 1], rim);
-  Real count(1.0), way[room], farthest = nowhere;
-  way[0] = nowhere;
+  MaskType<Real> idle[SpringsOf<Real>::room], gap = zero > one, gaps = gap;
+  Real count(1.0);
   LayerOf<Real> previous = next[0], point = next[1];
   Real left = point.depth() - previous.depth();
-  for (int i = 1; i <= last + 2; ++i) {
-    const LayerOf<Real> coming = i <= last + 1 ? next[i + 1] : rim;
-    const Real on = coming.depth() - point.depth();
-    const LayerOf<Real> following = select(on > close, coming, after);
-    const Real right = following.depth() - point.depth();
-    const Real stretch = left + right;
-    const Real bend_x = abs(point.x * stretch - previous.x * right - following.x * left);
-    const Real bend_y = abs(point.y * stretch - previous.y * right - following.y * left);
-    const MaskType<Real> idle = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
-                                (overlap - point.depth() <= close);
-    way[i] = select(idle, nowhere, Real(whole_bits + double(i)) - count);
-    count = select(idle, count, count + one);
-    farthest = max(farthest, way[i]);
-    // The next one is held against those that stay: of two points close together each is idle beside the other.
-    previous = select(idle, previous, point), left = select(idle, left + on, on);
+  for (int i = 1; i < used; ++i) {
+    const LayerOf<Real> coming = next[i + 1];
+    const Real right = coming.depth() - point.depth(), stretch = left + right;
+    const Real bend_x = abs(point.x * stretch - previous.x * right - coming.x * left);
+    const Real bend_y = abs(point.y * stretch - previous.y * right - coming.y * left);
+    idle[i] = ((max(bend_x, bend_y) <= rounding * stretch) & (right > close)) | (left <= close) |
+              (overlap - point.depth() <= close);
+    count = select(idle[i], count, count + one);
+    gaps = gaps | (gap & !idle[i]);
+    // Hardly ever is a point idle but the last ones: predicted so, no point's test waits for that of the one before.
+    if (any(idle[i])) {
+      gap = gap | idle[i];
+      next[i] = select(idle[i], rim, point);
+      // The next one is held against those that stay: of two points close together each is idle beside the other.
+      previous = select(idle[i], previous, point), left = select(idle[i], left + right, right);
+    } else {
+      previous = point, left = right;
+    }
     point = coming;
   }
-  // They move up over them: by one place where the last binary digit of their way says so, then by two where the next
-  // one does, and so on.
-  for (int step = 1; any(farthest >= Real(whole_bits + double(step))); step *= 2)
-    for (int i = 0; i <= last + 2; ++i) {
-      const Real stays = select(has_digit(way[i], step), nowhere, way[i]);
-      if (i + step <= last + 2) {
-        const MaskType<Real> comes = has_digit(way[i + step], step);
-        next[i] = select(comes, next[i + step], next[i]);
-        way[i] = select(comes, way[i + step], stays);
-      } else {
-        way[i] = stays;
-      }
-    }
   line.count = count;
   line.most = largest(count);
-  for (int i = 0; i < line.most; ++i) line.at[i] = select(Real(double(i)) < count, next[i], rim);
-  if (line.most <= mindlin::layers) return traction(line);
-  PlanarOf<Real> rise{zero, zero};
-  while (line.most > mindlin::layers) {
-    const PlanarOf<Real> more = forget_one(line);
-    rise.x += more.x, rise.y += more.y;
-    line.most = largest(line.count);
-  }
-  return any((rise.x > zero) | (rise.y > zero)) ? give_back(line, rise) : traction(line);
+  if (any(gaps)) close_up(line, idle, used);
+  return forget(line);
 }
 
-/// Turns the springs into the new axes of the ellipse: the old axis is carried along the turn that takes the old normal
-/// to the new one by the shortest way, then by the spin, and keeps the springs with it.
+/// How deflections turn into the new axes of the ellipse.
 template <class Real>
-HWY_INLINE void carry(SpringsOf<Real>& line, const V3<Real>& old_normal, const V3<Real>& old_axis,
-                      const V3<Real>& normal, const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,
-                      const Real& cos_spin) {
+struct TurnOf {
+  Real sine, cosine;
+
+  HWY_INLINE LayerOf<Real> operator()(const LayerOf<Real>& layer) const {
+    return {layer.root, cosine * layer.x - sine * layer.y, sine * layer.x + cosine * layer.y};
+  }
+};
+
+/// The old axis is carried along the turn that takes the old normal to the new one by the shortest way, then by the
+/// spin, and keeps the springs with it.
+template <class Real>
+HWY_INLINE TurnOf<Real> carried(const V3<Real>& old_normal, const V3<Real>& old_axis, const V3<Real>& normal,
+                                const V3<Real>& major, const V3<Real>& minor, const Real& sin_spin,
+                                const Real& cos_spin) {
   const Real share = dot(old_axis, normal) / max(Real(1.0) + dot(old_normal, normal), Real(1e-30));
   const V3<Real> axis = old_axis - share * (old_normal + normal);
   const Real along = dot(axis, major), across = dot(axis, minor);
-  Real c = cos_spin * along - sin_spin * across, s = sin_spin * along + cos_spin * across;
+  const Real c = cos_spin * along - sin_spin * across, s = sin_spin * along + cos_spin * across;
   // Rounding must not add up: one Newton step to unit length.
   const Real unit = Real(1.5) - Real(0.5) * (c * c + s * s);
-  c *= unit, s *= unit;
-  for (int i = 0; i < line.most; ++i) {
-    const Real x = line.at[i].x, y = line.at[i].y;
-    line.at[i].x = c * x - s * y;
-    line.at[i].y = s * x + c * y;
-  }
+  return {s * unit, c * unit};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -25,6 +25,7 @@ Line line_of(const Springs& springs) {
     const Layer& layer = springs.at[static_cast<std::size_t>(i)];
     line.at[i] = {std::sqrt(layer.depth), layer.x, layer.y};
   }
+  line.at[line.most] = line.rim();
   return line;
 }
 
@@ -52,22 +53,19 @@ void advance(Springs& springs, double overlap, Planar shift, double friction) {
     return;
   }
   Line line = line_of(springs);
-  if (line.most == 0) {  // just made: one spring at the centre
-    line.at[0] = line.rim();
-    line.most = 1;
-  }
+  if (line.most == 0) line.most = 1;  // just made: one spring at the centre
   HWY_NAMESPACE::advance<double>(line, overlap, {shift.x, shift.y}, friction);
   springs.overlap = overlap;
   keep(springs, line);
 }
 
 Planar traction(const Springs& springs) {
-  const auto [x, y] = HWY_NAMESPACE::traction(line_of(springs));
+  const auto [x, y] = HWY_NAMESPACE::sums(line_of(springs)).traction;
   return {x, y};
 }
 
 double stored_energy(const Springs& springs, double coefficient, const Axes& compliance_ratio) {
-  const auto [x, y] = HWY_NAMESPACE::squared(line_of(springs));  // F'' = 3/4 k η^{−1/2}
+  const auto [x, y] = HWY_NAMESPACE::sums(line_of(springs)).squared;  // F'' = 3/4 k η^{−1/2}
   return 0.375 * coefficient * (compliance_ratio.major * x + compliance_ratio.minor * y);
 }
 
@@ -89,8 +87,10 @@ Springs carried(const Memory& memory, const Step& step) {
   if (springs.count == 0) return springs;
   Line line = line_of(springs);
   const Vec3 minor = step.normal.cross(step.major_axis);
-  HWY_NAMESPACE::carry<double>(line, vector(memory.normal), vector(memory.axis), vector(step.normal),
-                               vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
+  const auto turned =
+      HWY_NAMESPACE::carried<double>(vector(memory.normal), vector(memory.axis), vector(step.normal),
+                                     vector(step.major_axis), vector(minor), std::sin(step.spin), std::cos(step.spin));
+  for (int i = 0; i < line.most; ++i) line.at[i] = turned(line.at[i]);
   keep(springs, line);
   return springs;
 }
