@@ -216,7 +216,7 @@ void run(const Options& options) {
   bool agree = study.discharge.agrees();
   for (const HeapSeries& series : study.heaps) agree = agree && series.rises();
   if (!options.json && !options.csv)
-    fmt::print("Verdict: {}.\n", agree ? "the engine follows the trends" : "THE ENGINE DOES NOT FOLLOW THE TRENDS");
+    fmt::print("Verdict: {}.\n", agree ? "every trend is as expected" : "NOT EVERY TREND IS AS EXPECTED, see above");
   if (!agree) throw CLI::RuntimeError(1);
 }
 
