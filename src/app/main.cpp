@@ -29,6 +29,7 @@ constexpr const char* first_steps =
   osculate validate curvature                              curvatures against jets fitted to the surface
   osculate validate narrow                                 random and nasty pairs through the narrow phase, checked
   osculate validate impact                                 single impacts through the engine, against closed forms
+  osculate validate flow --picture flow.png                a hopper's discharge and angles of repose, against trends
   osculate study halfspace                                 where two radii of curvature are not enough
   osculate study curvature                                 what one radius a body costs
   osculate bench narrow                                    what a contact costs on this machine

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/validate_flow.hpp"
 #include "app/validate_impact.hpp"
 #include "app/validate_narrow.hpp"
 #include "app/validate_packing.hpp"
@@ -101,6 +102,7 @@ void add_validate(CLI::App& program) {
           "curvature",
           "Principal curvatures against polynomials fitted to surface points (CGAL), with convergence order")
       ->callback(validate_curvature);
+  add_validate_flow(*validate);
   add_validate_impact(*validate);
   add_validate_narrow(*validate);
   add_validate_packing(*validate);
