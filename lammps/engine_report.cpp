@@ -1,13 +1,13 @@
 #include "lammps/engine_report.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "lammps/bulk.hpp"
 #include "lammps/engine_bench.hpp"
@@ -32,11 +32,6 @@ std::string ranks_text(int ranks) {
   return fmt::format("{} rank{}", ranks, ranks == 1 ? "" : "s");
 }
 
-void show_progress(const char* what, double done) {
-  if (::isatty(STDERR_FILENO) == 1)
-    fmt::print(stderr, "\r\033[K{}: {:.0f} %{}", what, 100.0 * done, done < 1.0 ? "" : "\r\033[K");
-}
-
 bool validate_trajectories(const io::Scene& scene, const std::vector<int>& ranks) {
   constexpr std::uint64_t every = 10, rows = 20;
   const bool is_first = rank_in(MPI_COMM_WORLD) == 0;
@@ -54,7 +49,9 @@ bool validate_trajectories(const io::Scene& scene, const std::vector<int>& ranks
     table.rows.back().push_back(fmt::format("{:.1e}", row.nudged.all));
     for (const Difference& one : row.lammps) table.rows.back().push_back(fmt::format("{:.1e}", one.all));
   };
+  io::Progress progress("trajectories, the whole time at most");
   const auto look = [&](const TrajectoryRow& row) {
+    progress.update(row.time / scene.duration);
     most_single = std::max(most_single, row.single);
     double most = row.nudged.all;
     for (const Difference& one : row.lammps) {
@@ -80,8 +77,9 @@ bool validate_trajectories(const io::Scene& scene, const std::vector<int>& ranks
 }
 
 bool validate_bulk(const io::Scene& scene, const std::vector<int>& ranks, int beginnings) {
-  const std::vector<Ensemble> ensembles = run_ensembles(scene, {.ranks = ranks, .beginnings = beginnings},
-                                                        [](double done) { show_progress("bulk", done); });
+  io::Progress progress("bulk results");
+  const std::vector<Ensemble> ensembles =
+      run_ensembles(scene, {.ranks = ranks, .beginnings = beginnings}, [&](double done) { progress.update(done); });
   if (rank_in(MPI_COMM_WORLD) != 0) return true;
   io::Table table{{"at the end", "embedded"}, {}};
   for (const int n : ranks) table.header.insert(table.header.end(), {ranks_text(n), "t"});
@@ -125,8 +123,9 @@ bool validate_engines(const io::Scene& scene, int beginnings) {
 }
 
 void bench_engines(const io::Scene& scene, int rounds, std::uint64_t steps) {
+  io::Progress progress("bench");
   const EngineBench bench = time_engines(scene, {.ranks = numbers_of_ranks(), .rounds = rounds, .steps = steps},
-                                         [](double done) { show_progress("bench", done); });
+                                         [&](double done) { progress.update(done); });
   if (rank_in(MPI_COMM_WORLD) != 0) return;
   io::Table table{{"engine", "wall", "1 rank : it", "processor", "it : embedded", "steps a list"}, {}};
   for (const EngineTimes& one : bench.engines)

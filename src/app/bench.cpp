@@ -6,8 +6,8 @@
 #include "app/commands.hpp"
 #include "app/laws_bench.hpp"
 #include "app/narrow_bench.hpp"
-#include "app/progress.hpp"
 #include "app/scenes_bench.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "osculate/core/error.hpp"
 #include "osculate/geometry/superquadric_contacts.hpp"
@@ -133,7 +133,7 @@ std::vector<PairClass> chosen_classes(const std::vector<std::string>& names) {
 void bench_narrow(const BenchOptions& options) {
   std::vector<NarrowTimes> all;
   {
-    Progress progress("bench narrow");
+    io::Progress progress("bench narrow");
     const std::vector<PairClass> classes = chosen_classes(options.classes);
     for (const PairClass& pair_class : classes) {
       all.push_back(time_narrow_phase(pair_class, options.narrow));
@@ -247,7 +247,7 @@ nlohmann::ordered_json json_of(const SceneTimes& one) {
 void bench_scenes_command(const BenchOptions& options) {
   std::vector<SceneTimes> all;
   {
-    Progress progress("bench scenes");
+    io::Progress progress("bench scenes");
     const std::vector<BenchScene> scenes = chosen_scenes(options.scene_names);
     for (const BenchScene& scene : scenes)
       all.push_back(time_scene(scene, options.scenes, [&](double share) {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "app/run_progress.hpp"
 #include "app/scene_frames.hpp"
+#include "io/progress.hpp"
 #include "io/quantity_text.hpp"
 #include "io/scene.hpp"
 #include "io/table.hpp"
@@ -107,8 +107,9 @@ void check(const std::string& path) {
                                                       (static_cast<double>(frame.size()) + poured_particles(scene)),
                                                   "B"),
                                 scene.output.contacts ? ", and the contacts" : "")}};
-    lines.push_back({"computing", fmt::format("about {} on one core, at the speed of the first steps",
-                                              clock_text(steps * measured_step(simulation)))});
+    lines.push_back({"computing", fmt::format("{} on one core at the speed of the first steps; more as bodies meet{}",
+                                              io::clock_text(steps * measured_step(simulation)),
+                                              scene.setup.pours.empty() ? "" : " and are poured in")});
     fmt::print("{}\n\n{}", scene.title, io::to_text(lines));
     print_bodies(scene, simulation);
   } catch (const StepError& error) {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/pair_comparison.hpp"
-#include "app/progress.hpp"
 #include "io/atomic_file.hpp"
 #include "io/pair_table.hpp"
+#include "io/progress.hpp"
 #include "osculate/geometry/superquadric_contacts.hpp"
 
 namespace osculate::app {
@@ -122,7 +122,7 @@ int run_pairs(const PairsRequest& request) {
   std::string text;
   io::PairBlock block;
   {
-    Progress progress(request.input);
+    io::Progress progress(request.input);
     while (reader.read(block, pairs_per_block)) {
       const ContactColumns& contacts = evaluator.evaluate(block);
       for (const ContactStatus status : contacts.statuses) ++counts[status];

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "app/progress.hpp"
 #include "io/ovito.hpp"
 #include "io/paraview.hpp"
+#include "io/progress.hpp"
 #include "io/results_file.hpp"
 #include "osculate/core/error.hpp"
 
@@ -36,21 +36,21 @@ void export_results(const ExportOptions& options) {
   }
   const io::ResultsFile results(options.results);
   if (results.frame_count() == 0) throw InputError(options.results, "no frame", "at least one");
-  const auto telling = [&](Progress& progress) {
+  const auto telling = [&](io::Progress& progress) {
     return [&](std::size_t frames) {
       progress.update(static_cast<double>(frames) / static_cast<double>(results.frame_count()));
     };
   };
   if (!options.paraview.empty()) {
     {
-      Progress progress("Writing for ParaView");
+      io::Progress progress("Writing for ParaView");
       write_paraview(results, options.resolution, options.paraview, telling(progress));
     }
     fmt::print("{}: {} frames\n", options.paraview, results.frame_count());
   }
   if (!options.ovito.empty()) {
     {
-      Progress progress("Writing for OVITO");
+      io::Progress progress("Writing for OVITO");
       write_ovito(results, options.ovito, telling(progress));
     }
     fmt::print("{}: {} frames\n", options.ovito, results.frame_count());

@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "app/progress.hpp"
+#include "io/progress.hpp"
 #include "osculate/core/aligned_allocator.hpp"
 #include "osculate/mechanics/hertz.hpp"
 #include "osculate/mechanics/jamari_schipper.hpp"
@@ -272,7 +272,7 @@ std::vector<LawTimes> time_laws(const LawBenchSettings& settings) {
        Asked::forces,
        false}};
 
-  Progress progress("bench laws");
+  io::Progress progress("bench laws");
   std::vector<LawTimes> times{time_hertz_alone(radii, settings.repetitions), time_jkr(radii, settings.repetitions),
                               time_jamari(radii, settings.repetitions)};
   for (const Case& one : cases) {

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/progress.hpp"
 #include "io/animation.hpp"
 #include "io/assembly_picture.hpp"
+#include "io/progress.hpp"
 #include "io/results_file.hpp"
 #include "osculate/core/error.hpp"
 
@@ -95,7 +95,7 @@ io::AssemblyLook look_of(const RenderOptions& options, const io::ResultsFile& re
       number_pair<int>("--size", options.size, 'x', "width x height in pixels, such as 1200x900");
   std::tie(look.azimuth, look.elevation) =
       number_pair<double>("--view", options.view, ',', "azimuth,elevation in degrees, such as -60,20");
-  Progress progress("Looking through the frames");
+  io::Progress progress("Looking through the frames");
   std::vector<double> values;
   std::optional<io::Box> all;
   for (std::size_t i = 0; i < range.count; ++i) {
@@ -132,7 +132,7 @@ void render(const RenderOptions& options) {
     if (trouble) throw InputError(options.out, "cannot be created (" + trouble.message() + ")", "a folder to write to");
   }
   {
-    Progress progress("Rendering");
+    io::Progress progress("Rendering");
     for (std::size_t i = 0; i < range.count; ++i) {
       const std::size_t number = range.first + i;
       const std::filesystem::path file = to_file ? std::filesystem::path(options.out) : series.file(number);

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/progress.hpp"
 #include "io/atomic_file.hpp"
 #include "io/markdown.hpp"
 #include "io/plot_numbers.hpp"
+#include "io/progress.hpp"
 #include "osculate/core/error.hpp"
 #include "validation/kildashti2023/coverage.hpp"
 #include "validation/kildashti2023/errata.hpp"
@@ -93,7 +93,7 @@ std::string tables_html() {
   return html;
 }
 
-std::string figures_html(const std::vector<io::NamedPlot>& plots, Progress& progress) {
+std::string figures_html(const std::vector<io::NamedPlot>& plots, io::Progress& progress) {
   std::string html = fmt::format(
       "<h2 id=\"figures\">Figures</h2>\n<p>Computed anew from the library's functions. The project does not have the "
       "review's pictures: what each shows was inferred from the sections around it, and the captions say so. All "
@@ -120,7 +120,7 @@ void write_review_files(const std::filesystem::path& folder) {
     io::write_atomically((folder / models.name).string() + ".txt", to_text(models));
   const std::vector<io::NamedPlot> plots = all_figures();
   io::write_atomically((folder / "figures.h5").string(), io::hdf5_of(plots));
-  Progress progress("review");
+  io::Progress progress("review");
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string path = (folder / plots[i].name).string();
     io::write_plot(plots[i].plot, path + ".svg");
@@ -132,7 +132,7 @@ void write_review_files(const std::filesystem::path& folder) {
 
 void write_review_page(const std::filesystem::path& folder) {
   make_folder(folder);
-  Progress progress("review");
+  io::Progress progress("review");
   const std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width\">\n<title>The review, computed anew</title>\n<style>{}</style>\n</head>\n<body>\n"

@@ -108,7 +108,7 @@ void print_summary(const Simulation& simulation, double particle_steps, double s
   fmt::print("{}", io::to_text(std::vector<io::Property>{
                        {"time", io::quantity_text(simulation.time(), "s")},
                        {"steps", fmt::format("{}", simulation.steps())},
-                       {"computing", fmt::format("{}: {:.3g} µs per particle-step", clock_text(seconds),
+                       {"computing", fmt::format("{}: {:.3g} µs per particle-step", io::clock_text(seconds),
                                                  1e6 * seconds / std::max(particle_steps, 1.0))},
                        {"particles", fmt::format("{}", net.particles)},
                        {"contacts", fmt::format("{}   {:.3g} a particle with walls, {:.3g} without", net.contacts,

@@ -1,9 +1,9 @@
 #pragma once
 // What a running simulation says of itself on standard error.
 
-#include <chrono>
 #include <cstdint>
-#include <string>
+
+#include "io/progress.hpp"
 
 namespace osculate::app {
 
@@ -14,27 +14,16 @@ struct RunStatus {
   double kinetic_energy;  ///< translation and rotation [J]
 };
 
-/// On a terminal a line that is written over four times a second; elsewhere a line every ten seconds.
 class RunProgress {
  public:
-  explicit RunProgress(std::uint64_t first_step);
-  RunProgress(const RunProgress&) = delete;
-  RunProgress& operator=(const RunProgress&) = delete;
-  ~RunProgress();
+  explicit RunProgress(std::uint64_t first_step) : first_step_(first_step) {}
 
-  bool is_due() const;
+  bool is_due() const { return line_.is_due(); }
   void show(const RunStatus& status);
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::uint64_t first_step_;
-  bool terminal_;
-  bool shown_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
+  io::ProgressLine line_;
 };
-
-/// "1:02:03", "2:03".
-std::string clock_text(double seconds);
 
 }  // namespace osculate::app

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/progress.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "validation/halfspace/curvature_error.hpp"
 #endif
@@ -108,7 +108,7 @@ void print_json(const std::vector<halfspace::CurvatureError>& errors, const half
 void study_halfspace(const Options& options) {
   std::vector<halfspace::CurvatureError> errors;
   {
-    Progress progress("study halfspace");
+    io::Progress progress("study halfspace");
     errors = halfspace::curvature_errors(options.study, [&](double fraction) { progress.update(fraction); });
   }
   switch (options.format()) {

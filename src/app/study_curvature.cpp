@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "app/progress.hpp"
 #include "app/study_curvature_report.hpp"
 #include "io/atomic_file.hpp"
+#include "io/progress.hpp"
 #include "osculate/core/error.hpp"
 #include "validation/curvature_models/sweep.hpp"
 
@@ -91,7 +91,7 @@ void write_files(const std::filesystem::path& folder, const std::vector<study::C
 void study_curvature(const Options& options) {
   std::vector<study::CaseErrors> errors;
   {
-    Progress progress("study curvature");
+    io::Progress progress("study curvature");
     errors = study::errors(options.sweep, reference_of(options), [&](double done) { progress.update(done); });
   }
   const CurvatureStudyTitle title{

@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "app/progress.hpp"
 #include "io/plot.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "validation/flow/flow_study.hpp"
 
@@ -55,7 +54,7 @@ with blockiness.
 )";
 
 struct Options {
-  FlowSettings settings{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
+  FlowSettings settings;
   bool csv = false;
   bool json = false;
   std::string picture;
@@ -203,7 +202,7 @@ void draw(const FlowStudy& study, const std::string& path) {
 void run(const Options& options) {
   FlowStudy study;
   {
-    Progress progress("validate flow");
+    io::Progress progress("validate flow");
     study = validation::flow_study(options.settings, [&](double part) { progress.update(part); });
   }
   if (options.json)

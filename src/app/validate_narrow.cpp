@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/progress.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "osculate/core/error.hpp"
 #include "validation/narrow_phase/robustness.hpp"
@@ -124,7 +124,7 @@ void validate_narrow(const NarrowValidation& settings) {
 
   std::vector<RobustnessResult> results;
   {
-    Progress progress("Narrow phase under stress");
+    io::Progress progress("Narrow phase under stress");
     for (const RobustnessRun& run : runs) {
       results.push_back(validation::robustness(
           run,

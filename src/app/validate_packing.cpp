@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/progress.hpp"
 #include "io/plot.hpp"
+#include "io/progress.hpp"
 #include "io/table.hpp"
 #include "validation/packing/published_packings.hpp"
 
@@ -38,6 +38,7 @@ and standard error. φ: solid fraction; Z: contacts of a particle that is no rat
 struct Options {
   std::uint64_t particles = 200;
   int seeds = 3;
+  int threads = validation::processors();
   bool csv = false;
   bool json = false;
   std::string picture;
@@ -118,12 +119,9 @@ void draw(const std::vector<PackingRow>& rows, const std::string& path) {
 void run(const Options& options) {
   std::vector<PackingRow> rows;
   {
-    const std::vector<validation::PublishedPacking> published = validation::published_packings();
-    Progress progress("validate packing");
-    for (std::size_t i = 0; i < published.size(); ++i)
-      rows.push_back(validation::packing_row(published[i], options.particles, options.seeds, [&](double part) {
-        progress.update((static_cast<double>(i) + part) / static_cast<double>(published.size()));
-      }));
+    io::Progress progress("validate packing");
+    rows = validation::packing_rows(validation::published_packings(), options.particles, options.seeds, options.threads,
+                                    [&](double part) { progress.update(part); });
   }
   if (options.json)
     print_json(rows, options);
@@ -152,6 +150,9 @@ void add_validate_packing(CLI::App& validate) {
   command->add_option("--seeds", options->seeds, "Packings of each shape")
       ->capture_default_str()
       ->check(CLI::Range(2, 1000));
+  command->add_option("--threads", options->threads, "Packings at a time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   CLI::Option* csv = command->add_flag("--csv", options->csv, "Print every packing as CSV");
   command->add_flag("--json", options->json, "Print the means as JSON")->excludes(csv);
   command->add_option("--picture", options->picture, "Plot of fraction over contacts, .svg or .png");

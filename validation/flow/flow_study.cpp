@@ -1,12 +1,8 @@
 #include "validation/flow/flow_study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <numeric>
-#include <thread>
 
 namespace osculate::validation {
 namespace {
@@ -14,39 +10,6 @@ namespace {
 constexpr double gravity = 9.81, light_gravity = gravity / 4.0;  // m/s²
 const std::vector<double> frictions{0.1, 0.3, 0.6}, exponents{2.0, 3.0, 5.0};
 constexpr double usual_friction = 0.6, usual_exponent = 3.0;
-
-/// A simulation that may run beside others; it is told whom to tell how far it is.
-using Job = std::function<void(const std::function<void(double)>&)>;
-
-/// All of them, in this order, a few at once. Throws what the first of them that failed threw.
-void run_jobs(const std::vector<Job>& jobs, int threads, const std::function<void(double)>& done) {
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;  // of what follows
-  std::vector<double> parts(jobs.size(), 0.0);
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      try {
-        jobs[i]([&, i](double part) {
-          if (!done) return;
-          const std::lock_guard lock(mutex);
-          parts[i] = part;
-          done(std::reduce(parts.begin(), parts.end()) / static_cast<double>(parts.size()));
-        });
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = jobs.size();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 bool increases(const std::vector<Discharge>& discharges) {
   return std::adjacent_find(discharges.begin(), discharges.end(), [](const Discharge& one, const Discharge& next) {
@@ -114,15 +77,15 @@ bool HeapSeries::rises() const {
          }) == angles.end();
 }
 
-FlowStudy flow_study(const FlowSettings& settings, const std::function<void(double)>& done) {
-  std::vector<Job> jobs;
+FlowStudy flow_study(const FlowSettings& settings, const Done& done) {
+  std::vector<Case> jobs;
   std::vector<HopperCase> hoppers;
   for (const double width : slot_widths())
     hoppers.push_back({.width = width, .gravity = gravity, .particles = settings.particles});
   hoppers.push_back({.width = slot_widths().back(), .gravity = light_gravity, .particles = settings.particles});
   std::vector<Outflow> flows(hoppers.size());
   for (std::size_t i = 0; i < hoppers.size(); ++i)
-    jobs.emplace_back([&, i](const auto& told) { flows[i] = outflow(hoppers[i], told); });
+    jobs.emplace_back([&, i](const Done& told) { flows[i] = outflow(hoppers[i], told); });
   std::rotate(jobs.begin(), jobs.end() - 1, jobs.end());  // the longest first
 
   struct Heaps {
@@ -137,11 +100,11 @@ FlowStudy flow_study(const FlowSettings& settings, const std::function<void(doub
   for (Heaps& kind : heaps) {
     kind.angles.resize(count);
     for (std::size_t seed = 1; seed <= count; ++seed)
-      jobs.emplace_back([&kind, seed](const auto& told) {
+      jobs.emplace_back([&kind, seed](const Done& told) {
         kind.angles[seed - 1] = heap_angle({.friction = kind.friction, .exponent = kind.exponent, .seed = seed}, told);
       });
   }
-  run_jobs(jobs, settings.threads, done);
+  run_independent(jobs, settings.threads, done);
 
   const auto angle = [&](double friction, double exponent) {
     return mean_angle(std::find_if(heaps.begin(), heaps.end(), [&](const Heaps& kind) {

@@ -2,12 +2,12 @@
 // The discharges and heaps that `osculate validate flow` shows, and what they should be like.
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "validation/flow/heap.hpp"
 #include "validation/flow/hopper.hpp"
+#include "validation/independent_cases.hpp"
 
 namespace osculate::validation {
 
@@ -63,13 +63,12 @@ struct FlowStudy {
 struct FlowSettings {
   std::uint64_t particles = 1200;  ///< in the hopper
   int heaps = 2;                   ///< of each kind, with seeds 1, 2, …: their mean counts
-  int threads = 1;                 ///< simulations at once
+  int threads = processors();      ///< simulations at once
 };
 
 /// The slots of the study [m].
 const std::vector<double>& slot_widths();
 
-/// @param done  is told now and then how far it is, 0 to 1, by one thread at a time
-FlowStudy flow_study(const FlowSettings& settings, const std::function<void(double)>& done = {});
+FlowStudy flow_study(const FlowSettings& settings, const Done& done = {});
 
 }  // namespace osculate::validation

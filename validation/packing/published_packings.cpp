@@ -45,24 +45,33 @@ bool PackingRow::agrees() const {
          published.coordination.holds(coordination.value, errors * coordination.error);
 }
 
-PackingRow packing_row(const PublishedPacking& published, std::uint64_t particles, int seeds,
-                       const std::function<void(double)>& done) {
-  PackingRow row{.published = published, .packings = {}, .fraction = {}, .coordination = {}, .rattlers = {}};
-  std::vector<double> fractions, coordinations, rattlers;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const JammedPacking packing = jam(
-        {.shape = published.shape, .particles = particles, .seed = static_cast<std::uint64_t>(seed)}, [&](double part) {
-          if (done) done((seed - 1 + part) / seeds);
-        });
-    row.packings.push_back(packing);
-    fractions.push_back(packing.fraction);
-    coordinations.push_back(packing.coordination);
-    rattlers.push_back(packing.rattlers);
+std::vector<PackingRow> packing_rows(const std::vector<PublishedPacking>& published, std::uint64_t particles, int seeds,
+                                     int threads, const Done& done) {
+  std::vector<PackingRow> rows;
+  for (const PublishedPacking& one : published)
+    rows.push_back({.published = one,
+                    .packings = std::vector<JammedPacking>(static_cast<std::size_t>(seeds)),
+                    .fraction = {},
+                    .coordination = {},
+                    .rattlers = {}});
+  std::vector<Case> cases;
+  for (PackingRow& row : rows)
+    for (std::uint64_t seed = 1; seed <= row.packings.size(); ++seed)
+      cases.push_back([&row, particles, seed](const Done& part) {
+        row.packings[seed - 1] = jam({.shape = row.published.shape, .particles = particles, .seed = seed}, part);
+      });
+  run_independent(cases, threads, done);
+  const auto mean = [](const PackingRow& row, double JammedPacking::*quantity) {
+    std::vector<double> values;
+    for (const JammedPacking& packing : row.packings) values.push_back(packing.*quantity);
+    return mean_of(values);
+  };
+  for (PackingRow& row : rows) {
+    row.fraction = mean(row, &JammedPacking::fraction);
+    row.coordination = mean(row, &JammedPacking::coordination);
+    row.rattlers = mean(row, &JammedPacking::rattlers);
   }
-  row.fraction = mean_of(fractions);
-  row.coordination = mean_of(coordinations);
-  row.rattlers = mean_of(rattlers);
-  return row;
+  return rows;
 }
 
 }  // namespace osculate::validation

@@ -1,10 +1,10 @@
 #pragma once
 // Random packings of the engine beside what others have measured and computed.
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "validation/independent_cases.hpp"
 #include "validation/packing/jammed_packing.hpp"
 
 namespace osculate::validation {
@@ -43,8 +43,8 @@ struct PackingRow {
   bool agrees() const;
 };
 
-/// `seeds` ≥ 2 packings, with seeds 1, 2, … .
-PackingRow packing_row(const PublishedPacking& published, std::uint64_t particles, int seeds,
-                       const std::function<void(double)>& done = {});
+/// `seeds` ≥ 2 packings of each, with seeds 1, 2, …, `threads` of them at a time.
+std::vector<PackingRow> packing_rows(const std::vector<PublishedPacking>& published, std::uint64_t particles, int seeds,
+                                     int threads, const Done& done = {});
 
 }  // namespace osculate::validation
