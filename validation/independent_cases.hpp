@@ -8,12 +8,14 @@ namespace osculate::validation {
 
 /// Told how far something is, 0 to 1.
 using Done = std::function<void(double)>;
-/// A piece of work; its first error is kept.
 using Case = std::function<void(const Done&)>;
 
-/// Runs every case, on as many threads as there are processors; which comes first must not matter. `done` is told how
-/// far they are on average, by the calling thread. Throws what a case threw, the first of them in order, when all have
-/// ended; cases not yet begun by then are left out.
-void run_independent(const std::vector<Case>& cases, const Done& done);
+/// Begins the cases in order, `threads` of them at a time. `done` is told how far they are on average, by the calling
+/// thread. Once a case has thrown no other is begun; what the first of them in order threw comes out when all have
+/// ended.
+/// @pre threads > 0
+void run_independent(const std::vector<Case>& cases, int threads, const Done& done);
+
+int processors();
 
 }  // namespace osculate::validation
