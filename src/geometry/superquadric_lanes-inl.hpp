@@ -39,18 +39,22 @@ struct Rows {
 /// Rows that do not stand together, or are fewer than a batch, are copied to where they do.
 class Gathered {
  public:
-  Gathered(const Tables& tables, std::span<const Index> rows, Index width) {
+  explicit Gathered(Index width) {
     pairs_.resize(width);
     caches_.resize(width);
     contacts_.resize(width);
-    for (Index i = 0; i < width; ++i) {
+  }
+
+  /// Lanes beyond the last row repeat it.
+  Rows take(const Tables& tables, std::span<const Index> rows) {
+    for (Index i = 0; i < pairs_.size(); ++i) {
       const Index row = rows[std::min(i, rows.size() - 1)];
       copy(tables.pairs.columns, row, pairs_.columns, i);
       copy(tables.caches.columns, row, caches_.columns, i);
       caches_.states[i] = tables.caches.states[row];
     }
+    return {{pairs_, caches_, contacts_, tables.gap, tables.curvatures}, 0};
   }
-  Rows rows(const Tables& of) { return {{pairs_, caches_, contacts_, of.gap, of.curvatures}, 0}; }
 
   /// What was found goes back, lane by lane, and what may help to find the rest.
   void give_back(std::uint64_t found, const Tables& tables, std::span<const Index> rows) const {
@@ -91,10 +95,11 @@ void in_batches(const Tables& tables, const Work& work, std::vector<Index>& unso
   for (const Index first : work.batches)
     if (const std::uint64_t found = solve(Rows{tables, first}); found != all)
       collect(found, width, [&](Index i) { return first + i; });
+  if (work.rows.empty()) return;
+  Gathered gathered(width);
   for (Index start = 0; start < work.rows.size(); start += width) {
     const auto rows = std::span(work.rows).subspan(start, std::min(width, work.rows.size() - start));
-    Gathered gathered(tables, rows, width);
-    const std::uint64_t found = solve(gathered.rows(tables));
+    const std::uint64_t found = solve(gathered.take(tables, rows));
     gathered.give_back(found, tables, rows);
     collect(found, rows.size(), [&](Index i) { return rows[i]; });
   }
@@ -305,7 +310,9 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   const Real vanishing = Real(vanishing_curvature) * reciprocal(problem.length);
   const auto convex = [&](const Sym2<Real>& shape) HWY_ATTR {
     Eigen2<Real> curvature = eigen(shape);
-    curvature.max = select(curvature.max < vanishing, zero, curvature.max);
+    const MaskType<Real> flat = curvature.max < vanishing;  // where directions are those of underflowing squares
+    curvature.direction = {select(flat, one, curvature.direction.p), select(flat, zero, curvature.direction.q)};
+    curvature.max = select(flat, zero, curvature.max);
     curvature.min = select(curvature.min < vanishing, zero, curvature.min);
     return curvature;
   };
