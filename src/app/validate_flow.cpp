@@ -24,8 +24,8 @@ using validation::HeapSeries;
 namespace expected = validation::expected;
 
 constexpr const char* help =
-    R"(Hopper: ellipsoids 3 : 3 : 2 mm, friction 0.3; a bin 78 mm wide and 20 mm deep with a flat bottom; its upright walls
-have no friction, so that the slot is as if it went on behind them. W is taken from when a tenth has left, until
+    R"(Hopper: ellipsoids 3 : 3 : 2 mm, friction 0.3; a bin 78 mm wide and 20 mm deep above a wedge of 60 degrees; its upright
+walls have no friction, so that the slot is as if it went on behind them. W is taken from when a tenth has left, until
 the filling is no higher above the slot than the bin is wide: later it feels that the hopper runs empty. Errors are those
 of the mean of four parts of that time.
 Heaps: superquadrics of half axes 2 : 2 : 3 mm and of the exponent n, sizes spread by a tenth, on a floor of the same
@@ -33,15 +33,17 @@ friction. The angle is that of the cone with the same medians of height and of d
 Grains are softer than real ones, 1 MPa: that allows a longer time step.
 Examples:
   osculate validate flow --picture flow.png
-  osculate validate flow --particles 3600 --heaps 8 --json > flow.json)";
+  osculate validate flow --particles 2400 --heaps 8 --json > flow.json)";
 
 constexpr const char* about_discharge =
-    R"(Discharge of {} ellipsoids from a flat-bottomed hopper through a slot of width D: W = C ρ_b √g L (D − k d)^(3/2) [BLV61],
+    R"(Discharge of {} ellipsoids from a wedge hopper through a slot of width D: W = C ρ_b √g L (D − k d)^(3/2) [BLV61],
 d = {:.2f} mm the diameter of the sphere of equal volume. Grains at rest overlap by {:.1f} % of d on average.
 
 {}
 {}
 The exponent depends on the k that one takes: with another one of 1 to 2 the law itself has {:g} to {:g} here.
+Values of k that are commonly quoted are mostly those of flat bottoms. Along a steep wedge grains slide down flat on its
+plates; that may leave less of the slot unused, and so a smaller k.
 
 )";
 

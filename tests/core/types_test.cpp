@@ -1,6 +1,7 @@
 #include "osculate/core/types.hpp"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 using namespace osculate;
 
@@ -11,7 +12,7 @@ TEST_CASE("Poses ask for no alignment that depends on the compiler's flags") {
 }
 
 TEST_CASE("Eigen's own quaternions serve as orientations") {
-  const Eigen::Quaterniond quarter(Eigen::AngleAxisd(0.5 * EIGEN_PI, Vec3::UnitZ()));
+  const Eigen::Quaterniond quarter(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitZ()));
   const Pose pose{.position = {1.0, 2.0, 3.0}, .orientation = quarter};
   CHECK((pose.to_world(Vec3::UnitX()) - Vec3(1.0, 3.0, 3.0)).norm() < 1e-15);
   CHECK((pose.to_body({1.0, 3.0, 3.0}) - Vec3::UnitX()).norm() < 1e-15);

@@ -29,7 +29,7 @@ struct DischargeSeries {
   bool agrees() const;  ///< in all of these
 };
 
-/// Of k the range that is commonly quoted for various grains over flat bottoms. The exponent follows from it:
+/// Of k the range that is commonly quoted for various grains, mostly over flat bottoms. The exponent follows from it:
 /// grains of k = 1 or 2 discharge with the power 3/2 of D − k d, and at the widths here that looks like the power 1.3
 /// or 1.9 of D − 1.4 d.
 namespace expected {
@@ -61,7 +61,7 @@ struct FlowStudy {
 };
 
 struct FlowSettings {
-  std::uint64_t particles = 1800;  ///< in the hopper
+  std::uint64_t particles = 1200;  ///< in the hopper
   int heaps = 2;                   ///< of each kind, with seeds 1, 2, …: their mean counts
   int threads = processors();      ///< simulations at once
 };

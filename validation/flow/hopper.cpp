@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -21,31 +22,37 @@ constexpr double slot_exponent = 1.5;
 
 const Ellipsoid grain{.half_axes = {3e-3, 3e-3, 2e-3}};
 constexpr double depth = 20e-3;   // m, of the hopper and so the length of the slot
-constexpr double friction = 0.3;  // of grains, bottom and gate; the bin's upright walls have none
+constexpr double friction = 0.3;  // of grains, wedge and gate; the bin's upright walls have none
 
-constexpr double half_bottom = 3e-3;    // m, of its thickness
-constexpr double usual_gravity = 9.81;  // m/s²
-constexpr double rest = 0.2;            // s: after that grains at usual gravity have come to rest
-constexpr double fall = 0.06;           // m, from the slot to the floor
-constexpr double gate_speed = 2.0;      // m/s: the gate is away before a grain reaches it
-constexpr double below = -8e-3;         // m: what is lower has left the slot
-constexpr double between_looks = 1e-3;  // s
-constexpr double longest_rest = 0.5;    // s
+constexpr double steepness = std::numbers::pi / 3.0;  // of the wedge
+constexpr double usual_gravity = 9.81;                // m/s²
+constexpr double rest = 0.2;                          // s: after that grains at usual gravity have come to rest
+constexpr double fall = 0.06;                         // m, from the slot to the floor
+constexpr double gate_speed = 2.0;                    // m/s: the gate is away before a grain reaches it
+constexpr double below = -8e-3;                       // m: what is lower has left the slot
+constexpr double between_looks = 1e-3;                // s
+constexpr double longest_rest = 0.5;                  // s
 
 enum Materials : std::int32_t { rough, smooth };
 
-/// The bottom: a plate on either side of the slot, from z = 0 up.
+/// The wedge: a plate on either side whose nearest points are half the slot from the middle and whose lowest are at
+/// z = 0.
 void add_plates(Setup& setup, double width) {
-  constexpr double bulge = 8e-3;  // beyond the walls, where its edges are round
-  const double half_length = 0.25 * (hopper_bin_width - width) + 0.5 * bulge;
+  constexpr double half_thickness = 3e-3, bulge = 8e-3;
+  const double reach = 0.5 * (hopper_bin_width - width) + 2.0 * half_thickness;
+  const Superquadric plate{.half_axes = {0.5 * reach / std::cos(steepness), 0.5 * depth + bulge, half_thickness},
+                           .exponents = {8.0, 8.0}};
   const auto shape = static_cast<std::int32_t>(setup.shapes.size());
-  setup.shapes.emplace_back(
-      Superquadric{.half_axes = {half_length, 0.5 * depth + bulge, half_bottom}, .exponents = {8.0, 8.0}});
-  for (const double side : {1.0, -1.0})
+  setup.shapes.emplace_back(plate);
+  for (const double side : {1.0, -1.0}) {
+    const Quat turn(Eigen::AngleAxisd(-side * steepness, Vec3::UnitY()));
+    const double inwards = support(plate, turn.conjugate() * Vec3(-side, 0.0, 0.0)).value,
+                 downwards = support(plate, turn.conjugate() * -Vec3::UnitZ()).value;
     setup.bodies.push_back({.shape = shape,
                             .material = rough,
                             .motion = 0,
-                            .pose = {Vec3(side * (0.5 * width + half_length), 0.0, half_bottom), Quat::Identity()}});
+                            .pose = {Vec3(side * (0.5 * width + inwards), 0.0, downwards), turn}});
+  }
 }
 
 void add_gate(Setup& setup, double width, double opening) {
@@ -84,7 +91,9 @@ Setup setup_of(const HopperCase& hopper) {
   add_gate(setup, hopper.width, opening_of(hopper));
 
   constexpr double loose_fraction = 0.27, margin = 3e-3, throw_speed = 0.3;
-  constexpr double low = 2.0 * half_bottom;
+  // Between plates and bin no grain finds room from here on.
+  constexpr double lower_end = 15e-3;
+  const double low = 0.5 * (hopper_bin_width - hopper.width) * std::tan(steepness) - lower_end;
   const double height =
       static_cast<double>(hopper.particles) * body_shape(grain).volume / (loose_fraction * hopper_bin_width * depth);
   insert_randomly(setup, {.region = BoxRegion{.lower = {-0.5 * hopper_bin_width, -0.5 * depth, low},

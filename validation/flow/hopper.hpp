@@ -1,5 +1,5 @@
 #pragma once
-// Discharge of a flat-bottomed hopper through a slot, against the law of Beverloo. [BLV61]
+// Discharge of a wedge hopper through a slot, against the law of Beverloo.                               [BLV61]
 //   W = C ρ_b √g L (D − k d)^{3/2}   for a slot of width D and length L
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace osculate::validation {
 
 /// d of the hopper's grains, the diameter of the sphere of an ellipsoid 3 : 3 : 2 mm [m]
 double hopper_grain_diameter();
-/// Fifteen diameters. [m]
+/// A bin fifteen diameters wide above the wedge. [m]
 inline constexpr double hopper_bin_width = 0.078;
 
 struct HopperCase {
