@@ -82,9 +82,9 @@ class PairEvaluator {
         const Superquadric shape_2 = block.shape_2(i);
         nearby_.set(i, block.shape_1(i), block.pose_1(i), shape_2, displaced(block.pose_2(i), shape_2, block.lines[i]));
       }
-      solve_(nearby_, caches_, contacts_, Gap::resolve);
+      solve_(nearby_, caches_, contacts_, Gap::resolve, Curvatures::all);
     }
-    solve_(block.pairs, caches_, contacts_, Gap::resolve);
+    solve_(block.pairs, caches_, contacts_, Gap::resolve, Curvatures::all);
     return contacts_;
   }
 

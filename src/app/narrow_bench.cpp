@@ -108,7 +108,7 @@ Timing time_warm(const std::vector<RandomPair>& pairs, Solver solve, Gap gap, co
   caches.resize(pairs.size());
   ContactColumns contacts;
   return time_of(
-      pairs.size(), settings.repetitions, [] {}, [&] { solve(poses.next(), caches, contacts, gap); });
+      pairs.size(), settings.repetitions, [] {}, [&] { solve(poses.next(), caches, contacts, gap, Curvatures::all); });
 }
 
 Timing time_cold(const std::vector<RandomPair>& pairs, Solver solve, const NarrowSettings& settings) {
@@ -119,7 +119,8 @@ Timing time_cold(const std::vector<RandomPair>& pairs, Solver solve, const Narro
     caches.resize(pairs.size());
     std::fill(caches.states.begin(), caches.states.end(), ContactCache::State::empty);
   };
-  return time_of(pairs.size(), settings.repetitions, forget, [&] { solve(columns, caches, contacts, Gap::resolve); });
+  return time_of(pairs.size(), settings.repetitions, forget,
+                 [&] { solve(columns, caches, contacts, Gap::resolve, Curvatures::all); });
 }
 
 std::size_t count_unresolved(const std::vector<RandomPair>& pairs) {

@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "dynamics/contact_batches.cpp"
 #include <hwy/foreach_target.h>
 // The target list above comes first.
+#include "core/transpose-inl.hpp"
 #include "core/vector-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,39 +17,7 @@ namespace osculate {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t width = lanes<Batch>();
-static_assert(sizeof(BodyRecord) == 24 * sizeof(double) && width <= 8);
-
-/// Rows become columns: rows[i] lane k goes to rows[k] lane i.
-HWY_INLINE void transpose([[maybe_unused]] hn::Vec<Tag> (&rows)[width]) {
-#if HWY_TARGET != HWY_SCALAR
-  const Tag d;
-  hn::Vec<Tag> pairs[width];  // pairs[k + 2 p]: what rows 2 p and 2 p + 1 hold in even (k = 0) or odd columns
-  for (std::size_t i = 0; i < width; i += 2) {
-    pairs[i] = hn::InterleaveLower(d, rows[i], rows[i + 1]);
-    pairs[i + 1] = hn::InterleaveUpper(d, rows[i], rows[i + 1]);
-  }
-#if HWY_TARGET <= HWY_AVX3
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto a = pairs[k], b = pairs[k + 2], c = pairs[k + 4], e = pairs[k + 6];
-    const auto ab_even = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);
-    const auto ab_odd = hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a));
-    const auto ce_even = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(e), c);
-    const auto ce_odd = hn::OddEvenBlocks(e, hn::SwapAdjacentBlocks(c));
-    rows[k] = hn::ConcatLowerLower(d, ce_even, ab_even);
-    rows[k + 2] = hn::ConcatLowerLower(d, ce_odd, ab_odd);
-    rows[k + 4] = hn::ConcatUpperUpper(d, ce_even, ab_even);
-    rows[k + 6] = hn::ConcatUpperUpper(d, ce_odd, ab_odd);
-  }
-#elif HWY_TARGET <= HWY_AVX2
-  for (std::size_t k = 0; k < 2; ++k) {
-    rows[k] = hn::ConcatLowerLower(d, pairs[k + 2], pairs[k]);
-    rows[k + 2] = hn::ConcatUpperUpper(d, pairs[k + 2], pairs[k]);
-  }
-#else
-  for (std::size_t k = 0; k < 2; ++k) rows[k] = pairs[k];
-#endif
-#endif
-}
+static_assert(sizeof(BodyRecord) == 24 * sizeof(double));
 
 /// The bodies' records of one batch of pairs, column by column.
 struct RecordColumns {
@@ -171,17 +140,18 @@ struct SpringLanes {
   Batch overlap, coefficient;
 
   static HWY_INLINE SpringLanes read(const NormalSpring* from, std::size_t count) {
-    HWY_ALIGN double overlap[width], coefficient[width];
-    for (std::size_t i = 0; i < width; ++i) {
-      overlap[i] = from[std::min(i, count - 1)].overlap;
-      coefficient[i] = from[std::min(i, count - 1)].coefficient;
-    }
-    return {load<Batch>(overlap, width), load<Batch>(coefficient, width)};
+    NormalSpring rows[width];
+    for (std::size_t i = 0; i < width; ++i) rows[i] = from[std::min(i, count - 1)];
+    SpringLanes springs;
+    hn::LoadInterleaved2(Tag(), count == width ? &from->overlap : &rows->overlap, springs.overlap.v,
+                         springs.coefficient.v);
+    return springs;
   }
   HWY_INLINE void write(NormalSpring* to, std::size_t count) const {
-    HWY_ALIGN double depth[width], factor[width];
-    store(overlap, depth, width), store(coefficient, factor, width);
-    for (std::size_t i = 0; i < count; ++i) to[i] = {depth[i], factor[i]};
+    if (count == width) return hn::StoreInterleaved2(overlap.v, coefficient.v, Tag(), &to->overlap);
+    NormalSpring rows[width];
+    hn::StoreInterleaved2(overlap.v, coefficient.v, Tag(), &rows->overlap);
+    std::copy_n(rows, count, to);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "dynamics/engine.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -257,16 +259,25 @@ void Simulation::Engine::evaluate_pairs() {
 }
 
 void Simulation::Engine::gather(double kick_time) {
+  constexpr std::size_t ahead = 8;  // a body's wrenches lie scattered: they are fetched while others are added up
   threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) gather_body(i, kick_time);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + ahead < bodies_.size())
+        for (std::uint64_t k = pairs_.first[i + ahead]; k < pairs_.first[i + ahead + 1]; ++k)
+          hwy::Prefetch(&wrench_at(pairs_.incidences[k]));
+      gather_body(i, kick_time);
+    }
   });
+}
+
+const Wrench& Simulation::Engine::wrench_at(const Incidence& incidence) const {
+  return pairs_.chunks[incidence.chunk].wrenches[incidence.place];
 }
 
 void Simulation::Engine::gather_body(std::size_t i, double kick_time) {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   for (std::uint64_t k = pairs_.first[i]; k < pairs_.first[i + 1]; ++k) {
-    const Incidence& incidence = pairs_.incidences[k];
-    const Wrench& wrench = pairs_.chunks[incidence.chunk].wrenches[incidence.place];
+    const Wrench& wrench = wrench_at(pairs_.incidences[k]);
     force += wrench.force;
     torque += wrench.torque;
   }

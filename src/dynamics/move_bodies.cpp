@@ -1,87 +1,109 @@
 #include "dynamics/move_bodies.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dynamics/move_bodies.cpp"
 #include <hwy/foreach_target.h>
 // The target list above comes first.
+#include "core/transpose-inl.hpp"
 #include "dynamics/rigid_rotation-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
-/// The columns of up to one batch of Vec3.
-HWY_INLINE V3<Batch> read_vectors(const Vec3* from, std::size_t count) {
-  constexpr std::size_t width = lanes<Batch>();
-  HWY_ALIGN double x[width], y[width], z[width];
-  for (std::size_t i = 0; i < width; ++i) {
-    const Vec3& v = from[std::min(i, count - 1)];
-    x[i] = v.x(), y[i] = v.y(), z[i] = v.z();
-  }
-  return {load<Batch>(x, width), load<Batch>(y, width), load<Batch>(z, width)};
-}
-HWY_INLINE QuatOf<Batch> read_quaternions(const Quat* from, std::size_t count) {
-  constexpr std::size_t width = lanes<Batch>();
-  HWY_ALIGN double w[width], x[width], y[width], z[width];
-  for (std::size_t i = 0; i < width; ++i) {
-    const Quat& q = from[std::min(i, count - 1)];
-    w[i] = q.w(), x[i] = q.x(), y[i] = q.y(), z[i] = q.z();
-  }
-  return {load<Batch>(w, width), {load<Batch>(x, width), load<Batch>(y, width), load<Batch>(z, width)}};
-}
+constexpr std::size_t width = lanes<Batch>();
 
-/// Vectors of a batch, to be read lane by lane.
-struct VectorLanes {
-  HWY_ALIGN double x[lanes<Batch>()], y[lanes<Batch>()], z[lanes<Batch>()];
-
-  explicit VectorLanes(const V3<Batch>& v) {
-    store(v.x, x, lanes<Batch>()), store(v.y, y, lanes<Batch>()), store(v.z, z, lanes<Batch>());
+/// Up to one batch of rows of N doubles each, to be read as whole batches: those beyond the last one repeat it.
+template <std::size_t N>
+class Rows {
+ public:
+  HWY_INLINE Rows(const double* first, std::size_t count) : rows_(first) {
+    if (count >= width) return;
+    for (std::size_t i = 0; i < width; ++i) std::copy_n(first + N * std::min(i, count - 1), N, padded_ + N * i);
+    rows_ = padded_;
   }
-  Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  HWY_INLINE const double* get() const { return rows_; }
+
+ private:
+  const double* rows_;
+  HWY_ALIGN double padded_[N * width];
 };
+
+HWY_INLINE V3<Batch> read(const Vec3* from, std::size_t count) {
+  V3<Batch> v;
+  hn::LoadInterleaved3(Tag(), Rows<3>(from->data(), count).get(), v.x.v, v.y.v, v.z.v);
+  return v;
+}
+HWY_INLINE QuatOf<Batch> read(const Quat* from, std::size_t count) {
+  QuatOf<Batch> q;
+  hn::LoadInterleaved4(Tag(), Rows<4>(from->coeffs().data(), count).get(), q.v.x.v, q.v.y.v, q.v.z.v, q.w.v);
+  return q;
+}
+HWY_INLINE void write(const V3<Batch>& v, Vec3* to, std::size_t count) {
+  if (count == width) return hn::StoreInterleaved3(v.x.v, v.y.v, v.z.v, Tag(), to->data());
+  HWY_ALIGN double rows[3 * width];
+  hn::StoreInterleaved3(v.x.v, v.y.v, v.z.v, Tag(), rows);
+  std::copy_n(rows, 3 * count, to->data());
+}
+HWY_INLINE void write(const QuatOf<Batch>& q, Quat* to, std::size_t count) {
+  if (count == width) return hn::StoreInterleaved4(q.v.x.v, q.v.y.v, q.v.z.v, q.w.v, Tag(), to->coeffs().data());
+  HWY_ALIGN double rows[4 * width];
+  hn::StoreInterleaved4(q.v.x.v, q.v.y.v, q.v.z.v, q.w.v, Tag(), rows);
+  std::copy_n(rows, 4 * count, to->coeffs().data());
+}
+
+/// What a record takes from a step beside the position, in its order.
+struct RecordColumns {
+  QuatOf<Batch> orientation;
+  V3<Batch> velocity, mean_angular_velocity, last_velocity, last_angular_velocity;
+};
+
+HWY_INLINE void write_records(const RecordColumns& from, const Vec3* positions, std::size_t count, BodyRecord* to) {
+  constexpr std::size_t first = 8, columns = 16;  // of the record: from the orientation to its end
+  static_assert(sizeof(BodyRecord) == (first + columns) * sizeof(double) && columns % width == 0);
+  const auto& [q, v, mean, last_v, last] = from;
+  const Batch all[columns] = {q.w,    q.v.x,  q.v.y,    q.v.z,    v.x,      v.y,    v.z,    mean.x,
+                              mean.y, mean.z, last_v.x, last_v.y, last_v.z, last.x, last.y, last.z};
+  for (std::size_t k = 0; k < columns; k += width) {
+    hn::Vec<Tag> rows[width];
+    for (std::size_t i = 0; i < width; ++i) rows[i] = all[k + i].v;
+    transpose(rows);
+    for (std::size_t i = 0; i < count; ++i) hn::Store(rows[i], Tag(), to[i].placed.data() + first + k);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 3; ++k) to[i].placed[5 + k] = positions[i][static_cast<Eigen::Index>(k)];
+}
 
 void move(const MoveStep& step, std::size_t begin, std::size_t end, Bodies& bodies, Kinematics& kinematics,
           const double* radius, double* way_of) {
   const Batch dt(step.time_step), half(0.5 * step.time_step);
   const V3<Batch> gravity{Batch(step.gravity.x()), Batch(step.gravity.y()), Batch(step.gravity.z())};
-  for (std::size_t start = begin; start < end; start += lanes<Batch>()) {
-    const std::size_t count = std::min(lanes<Batch>(), end - start);
-    const QuatOf<Batch> before = read_quaternions(&bodies.orientation[start], count);
+  for (std::size_t start = begin; start < end; start += width) {
+    const std::size_t count = std::min(width, end - start);
+    const QuatOf<Batch> before = read(&bodies.orientation[start], count);
     const Batch inverse_mass = Batch(1.0) / load<Batch>(&bodies.mass[start], count);
-    const V3<Batch> inverse_inertia = inverse(read_vectors(&bodies.inertia[start], count));
-    const V3<Batch> kick = half * (inverse_mass * read_vectors(&bodies.force[start], count) + gravity);
+    const V3<Batch> inverse_inertia = inverse(read(&bodies.inertia[start], count));
+    const V3<Batch> kick = half * (inverse_mass * read(&bodies.force[start], count) + gravity);
     const V3<Batch> torque_kick =
-        half * rotation_of(before.w, before.v).apply_inverse(read_vectors(&bodies.torque[start], count));
-    const V3<Batch> velocity = read_vectors(&bodies.velocity[start], count) + kick;
+        half * rotation_of(before.w, before.v).apply_inverse(read(&bodies.torque[start], count));
+    const V3<Batch> velocity = read(&bodies.velocity[start], count) + kick;
     const V3<Batch> way = dt * velocity;
-    const V3<Batch> position = read_vectors(&bodies.position[start], count) + way;
+    const V3<Batch> position = read(&bodies.position[start], count) + way;
     const TurnOf<Batch> turn =
-        turned(before, read_vectors(&bodies.angular_momentum[start], count) + torque_kick, inverse_inertia, dt);
+        turned(before, read(&bodies.angular_momentum[start], count) + torque_kick, inverse_inertia, dt);
     const QuatOf<Batch>& now = turn.orientation;
     const V3<Batch> last = rotation_of(now.w, now.v).apply(times(turn.momentum + torque_kick, inverse_inertia));
     store(fma(dt * norm(turn.mean_velocity), load<Batch>(radius + start, count), norm(way)), way_of + start, count);
 
-    const VectorLanes x(position), v(velocity), v_last(velocity + kick), L(turn.momentum), mean(turn.mean_velocity),
-        omega_last(last), q(now.v);
-    HWY_ALIGN double w[lanes<Batch>()];
-    store(now.w, w, lanes<Batch>());
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t body = start + i;
-      const Quat orientation(w[i], q.x[i], q.y[i], q.z[i]);
-      bodies.position[body] = x[i];
-      bodies.orientation[body] = orientation;
-      bodies.velocity[body] = v[i];
-      bodies.angular_momentum[body] = L[i];
-      BodyRecord& record = kinematics.records[body];
-      record.place(x[i], orientation);
-      record.velocity = v[i];
-      record.mean_angular_velocity = mean[i];
-      record.last_velocity = v_last[i];
-      record.last_angular_velocity = omega_last[i];
-    }
+    write(position, &bodies.position[start], count);
+    write(now, &bodies.orientation[start], count);
+    write(velocity, &bodies.velocity[start], count);
+    write(turn.momentum, &bodies.angular_momentum[start], count);
+    write_records({now, velocity, turn.mean_velocity, velocity + kick, last}, &bodies.position[start], count,
+                  &kinematics.records[start]);
   }
 }
 

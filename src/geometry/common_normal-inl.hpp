@@ -273,8 +273,10 @@ struct Start {
 
 /// Newton's method on points and normals from a start that is near: the warm path, and the end of the cold one.
 /// A lane that has arrived stands still, so that its answer does not depend on its neighbours.
+/// @param late_step  the surfaces are not evaluated once more after a step shorter than this that brought the points
+///                   home: their curvatures are those of where it began
 template <class Pair, class Real = typename Pair::Number>
-HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int most_steps) {
+HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int most_steps, double late_step = 0.0) {
   const Real zero(0.0);
   Answer<Real> answer;
   answer.touch = start.touch;
@@ -325,10 +327,11 @@ HWY_INLINE Answer<Real> polish(const Pair& pair, const Start<Real>& start, int m
     const MaskType<Real> sound = settled & step.descends & (dot(jet_1.normal, jet_2.normal) < zero);
     const MaskType<Real> stalled =
         (last_move > zero) & (last_move < Real(stalled_step * stalled_step)) & (last_move < Real(4.0) * moved);
-    const MaskType<Real> arrived = ((moved < Real(small_step * small_step)) | solved | stalled) & sound;
     // Of a step s there is left s³/s_last².
     closing = sound & (last_move < Real(quadratic_step * quadratic_step)) &
               (moved * square(moved) < left_undone * square(last_move));
+    const MaskType<Real> arrived = (((moved < Real(small_step * small_step)) | solved | stalled) & sound) |
+                                   (closing & (moved < Real(late_step * late_step)));
     last_move = moved;
     // What is solved stays: on flat sets the step means nothing.
     answer.touch = select(answer.converged, answer.touch, select(solved & sound, here, next));

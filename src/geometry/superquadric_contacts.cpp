@@ -17,18 +17,23 @@ HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
+/// How far from the contact its curvatures may have been found, over the bodies' sizes: see Curvatures.
+HWY_INLINE double late_step(const Rows& rows) {
+  return rows.tables.curvatures == Curvatures::relative ? 1e-8 : 0.0;
+}
+
 /// Shape operators that were cached predict the first step.
 template <class Real, class Power>
 HWY_INLINE Answer<Real> warm_answer(
     const SurfacePair<Real, ImplicitSurface<Real, Power>, ImplicitSurface<Real, Power>>& pair,
     const Problem<Real>& problem, const Rows& rows) {
   const Cached<Real> last = read_cached<Real>(problem, rows);
-  return polish(pair, predict(pair, last.touch, last.basis, last.shape_1, last.shape_2), 8);
+  return polish(pair, predict(pair, last.touch, last.basis, last.shape_1, last.shape_2), 8, late_step(rows));
 }
 template <class Real, class Surface>
 HWY_INLINE Answer<Real> warm_answer(const SurfacePair<Real, Surface, Surface>& pair, const Problem<Real>& problem,
                                     const Rows& rows) {
-  return polish(pair, {read_touch<Real>(problem, rows), Real(0.0)}, 8);
+  return polish(pair, {read_touch<Real>(problem, rows), Real(0.0)}, 8, late_step(rows));
 }
 
 template <class Real, class Lift>
@@ -233,17 +238,18 @@ void confirm(const Tables& tables, Index i) {
     }
     return answer;
   };
+  const auto take = [&](const Answer<double>& answer) {
+    write_answer(problem, answer, true, rows);
+    least = answer.overlap;
+    normal = answer.normal;
+  };
   for (int k = 0; k < most_supports; ++k) {
     const PenetrationHull::Face* face = hull.lowest();
     if (face == nullptr || face->offset >= (1.0 - tolerance) * least) break;
     const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
     if (dot(support_point, direction) < least - equal) {
       const Answer<double> answer = minimum_from(direction);
-      if (answer.converged && answer.overlap < least - equal) {
-        write_answer(problem, answer, true, rows);
-        least = answer.overlap;
-        normal = answer.normal;
-      }
+      if (answer.converged && answer.overlap < least - equal) take(answer);
     }
     hull.expand(*face, vec3(support_point));
   }
@@ -259,9 +265,12 @@ void confirm(const Tables& tables, Index i) {
       elsewhere.push_back(v3(face.normal));
   for (const V3<double>& direction : elsewhere) {
     const Answer<double> answer = minimum_from(direction);
-    if (!answer.converged || answer.overlap > least + equal || dot(answer.normal, normal) > same_normal) continue;
-    tables.contacts.statuses[i] = ContactStatus::ambiguous;
-    break;
+    if (!answer.converged || answer.overlap > least + equal) continue;
+    if (answer.overlap < least - equal) {
+      take(answer);
+    } else if (dot(answer.normal, normal) <= same_normal) {
+      tables.contacts.statuses[i] = ContactStatus::ambiguous;
+    }
   }
 }
 
@@ -323,7 +332,8 @@ inline Stage second_stage(const SuperquadricPairs& pairs, Index i) {
 }
 
 template <class Real>
-void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+               Curvatures curvatures) {
   using Whole = ImplicitSurface<Real, WholePower<Real>>;
   using Implicit = ImplicitSurface<Real, AnyPower<Real>>;
   using Ellipsoid = GaugeSurface<Real, SquarePower>;
@@ -333,7 +343,7 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
-  const Tables tables{pairs, caches, contacts, gap};
+  const Tables tables{pairs, caches, contacts, gap, curvatures};
   const std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
   const auto by_stage = [&](const std::vector<Index>& rows) {
     std::array<Work, stages> work;
@@ -385,11 +395,13 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   for (const Index i : no_longer) prove(i);
 }
 
-void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
-  solve_all<Batch>(pairs, caches, contacts, gap);
+void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+             Curvatures curvatures) {
+  solve_all<Batch>(pairs, caches, contacts, gap, curvatures);
 }
-void scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
-  solve_all<double>(pairs, caches, contacts, gap);
+void scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+            Curvatures curvatures) {
+  solve_all<double>(pairs, caches, contacts, gap, curvatures);
 }
 const char* target_name() {
   return hwy::TargetName(HWY_TARGET);
@@ -466,16 +478,18 @@ ContactGeometry ContactColumns::get(std::size_t i) const {
   return contact;
 }
 
-void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+                    Curvatures curvatures) {
   caches.resize(pairs.size());
   contacts.resize(pairs.size());
-  HWY_DYNAMIC_DISPATCH(batched)(pairs, caches, contacts, gap);
+  HWY_DYNAMIC_DISPATCH(batched)(pairs, caches, contacts, gap, curvatures);
 }
 
-void common_normals_scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap) {
+void common_normals_scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+                           Curvatures curvatures) {
   caches.resize(pairs.size());
   contacts.resize(pairs.size());
-  HWY_DYNAMIC_DISPATCH(scalar)(pairs, caches, contacts, gap);
+  HWY_DYNAMIC_DISPATCH(scalar)(pairs, caches, contacts, gap, curvatures);
 }
 
 const char* batch_instruction_set() {

@@ -27,6 +27,7 @@ struct Tables {
   ContactCaches& caches;
   ContactColumns& contacts;
   Gap gap;
+  Curvatures curvatures;
 };
 
 /// A batch of their rows, one after another.
@@ -38,18 +39,22 @@ struct Rows {
 /// Rows that do not stand together, or are fewer than a batch, are copied to where they do.
 class Gathered {
  public:
-  Gathered(const Tables& tables, std::span<const Index> rows, Index width) {
+  explicit Gathered(Index width) {
     pairs_.resize(width);
     caches_.resize(width);
     contacts_.resize(width);
-    for (Index i = 0; i < width; ++i) {
+  }
+
+  /// Lanes beyond the last row repeat it.
+  Rows take(const Tables& tables, std::span<const Index> rows) {
+    for (Index i = 0; i < pairs_.size(); ++i) {
       const Index row = rows[std::min(i, rows.size() - 1)];
       copy(tables.pairs.columns, row, pairs_.columns, i);
       copy(tables.caches.columns, row, caches_.columns, i);
       caches_.states[i] = tables.caches.states[row];
     }
+    return {{pairs_, caches_, contacts_, tables.gap, tables.curvatures}, 0};
   }
-  Rows rows(Gap gap) { return {{pairs_, caches_, contacts_, gap}, 0}; }
 
   /// What was found goes back, lane by lane, and what may help to find the rest.
   void give_back(std::uint64_t found, const Tables& tables, std::span<const Index> rows) const {
@@ -90,10 +95,11 @@ void in_batches(const Tables& tables, const Work& work, std::vector<Index>& unso
   for (const Index first : work.batches)
     if (const std::uint64_t found = solve(Rows{tables, first}); found != all)
       collect(found, width, [&](Index i) { return first + i; });
+  if (work.rows.empty()) return;
+  Gathered gathered(width);
   for (Index start = 0; start < work.rows.size(); start += width) {
     const auto rows = std::span(work.rows).subspan(start, std::min(width, work.rows.size() - start));
-    Gathered gathered(tables, rows, width);
-    const std::uint64_t found = solve(gathered.rows(tables.gap));
+    const std::uint64_t found = solve(gathered.take(tables, rows));
     gathered.give_back(found, tables, rows);
     collect(found, rows.size(), [&](Index i) { return rows[i]; });
   }
@@ -304,30 +310,41 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   const Real vanishing = Real(vanishing_curvature) * reciprocal(problem.length);
   const auto convex = [&](const Sym2<Real>& shape) HWY_ATTR {
     Eigen2<Real> curvature = eigen(shape);
-    curvature.max = select(curvature.max < vanishing, zero, curvature.max);
+    const MaskType<Real> flat = curvature.max < vanishing;  // where directions are those of underflowing squares
+    curvature.direction = {select(flat, one, curvature.direction.p), select(flat, zero, curvature.direction.q)};
+    curvature.max = select(flat, zero, curvature.max);
     curvature.min = select(curvature.min < vanishing, zero, curvature.min);
     return curvature;
   };
-  const Eigen2<Real> first = convex(answer.shape_1), second = convex(answer.shape_2);
   const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
-  const V3<Real> axis_1 = in_world(first.direction), axis_2 = in_world(second.direction);
   const V3<Real> major_axis = in_world({-relative.direction.q, relative.direction.p});
   // A sum is finite if all its terms are.
-  const V3<Real> all = normal + point_1 + point_2 + axis_1 + axis_2 + major_axis;
-  const Real sum = all.x + all.y + all.z + answer.overlap + first.max + second.max;
+  const V3<Real> all = normal + point_1 + point_2 + major_axis;
+  Real sum = all.x + all.y + all.z + answer.overlap + relative.max;
+  Eigen2<Real> first = relative, second = relative;
+  V3<Real> axis_1 = major_axis, axis_2 = major_axis;
+  const bool of_bodies = rows.tables.curvatures == Curvatures::all;
+  if (of_bodies) {
+    first = convex(answer.shape_1), second = convex(answer.shape_2);
+    axis_1 = in_world(first.direction), axis_2 = in_world(second.direction);
+    const V3<Real> axes = axis_1 + axis_2;
+    sum = sum + axes.x + axes.y + axes.z;
+  }
   const MaskType<Real> wanted = converged & (sum - sum == zero);
 
   write3(select(swapped, -normal, normal), wanted, columns, 0, rows);
   write(answer.overlap, wanted, columns, 3, rows);
   write3(select(swapped, point_2, point_1), wanted, columns, 4, rows);
   write3(select(swapped, point_1, point_2), wanted, columns, 7, rows);
-  const auto write_curvature = [&](const Eigen2<Real>& curvature, const V3<Real>& direction, std::size_t k) HWY_ATTR {
-    write(curvature.max, wanted, columns, k, rows);
-    write(curvature.min, wanted, columns, k + 1, rows);
-    write3(direction, wanted, columns, k + 2, rows);
-  };
-  write_curvature(select(swapped, second, first), select(swapped, axis_2, axis_1), 10);
-  write_curvature(select(swapped, first, second), select(swapped, axis_1, axis_2), 15);
+  if (of_bodies) {
+    const auto write_curvature = [&](const Eigen2<Real>& curvature, const V3<Real>& direction, std::size_t k) HWY_ATTR {
+      write(curvature.max, wanted, columns, k, rows);
+      write(curvature.min, wanted, columns, k + 1, rows);
+      write3(direction, wanted, columns, k + 2, rows);
+    };
+    write_curvature(select(swapped, second, first), select(swapped, axis_2, axis_1), 10);
+    write_curvature(select(swapped, first, second), select(swapped, axis_1, axis_2), 15);
+  }
   write(one / relative.min, wanted, columns, 20, rows);
   write(one / relative.max, wanted, columns, 21, rows);
   write3(major_axis, wanted, columns, 22, rows);

@@ -92,7 +92,7 @@ void insert_lattice(const Insertion& insertion) {
   for (const Kind& kind : insertion.kinds) weights.push_back(kind.weight);
   for (const Vec3& point : points) {
     const Kind& kind = insertion.kinds[random.pick(weights)];
-    const Quat orientation = turned ? random.orientation() : Quat::Identity();
+    const Quat orientation = turned ? random.orientation() : Quat(Quat::Identity());
     insertion.scene.setup.bodies.push_back({.shape = kind.shape,
                                             .material = kind.material,
                                             .pose = {point, orientation},

@@ -78,10 +78,13 @@ HWY_INLINE SpringAnswer rub(const SpringMemory& before, const SpringMotion& moti
   const V3<Batch> step = motion.time_step * motion.slide, viscous = damping * motion.slide;
   const V3<Batch> tried = stretch + step, trial = stiffness * tried + viscous;
   const Mask slips = dot(trial, trial) > limit * limit;
-  const V3<Batch> force = select(slips, shortened(trial, limit), trial);
-  // In sliding the spring holds what the dashpot leaves over, and no more than the limit.
-  const Batch yielding = one / stiffness;
-  const V3<Batch> now = select(slips, shortened(yielding * (force - viscous), limit * yielding), tried);
+  V3<Batch> force = trial, now = tried;
+  if (any(slips)) {
+    force = select(slips, shortened(trial, limit), trial);
+    // In sliding the spring holds what the dashpot leaves over, and no more than the limit.
+    const Batch yielding = one / stiffness;
+    now = select(slips, shortened(yielding * (force - viscous), limit * yielding), tried);
+  }
   const V3<Batch> elastic = stiffness * now;
   return {force,
           force - elastic,

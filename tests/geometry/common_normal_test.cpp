@@ -185,6 +185,45 @@ TEST_CASE("In batches every pair has the answer it has alone") {
   }
 }
 
+TEST_CASE("The curvatures for a law are those of the contact, without the bodies' own") {
+  std::mt19937 random(11);
+  constexpr std::size_t count = 40;
+  SuperquadricPairs here, moved;
+  here.resize(count);
+  moved.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double n = 2.0 + static_cast<double>(i % 5);
+    const Superquadric one{Vec3(0.010, 0.012, 0.020), {n, n}}, two{Vec3(0.015, 0.011, 0.013), {n + 0.5, 4.0}};
+    const Body a{one, {Vec3::Zero(), checks::random_orientation(random)}};
+    Body b{two, {0.05 * samples::random_direction(random), checks::random_orientation(random)}};
+    checks::bring_together(a, b, 1e-4);
+    here.set(i, one, a.pose, two, b.pose);
+    // As bodies move in a time step.
+    b.pose.position += 1e-7 * samples::random_direction(random);
+    b.pose.orientation = Quat(Eigen::AngleAxisd(1e-5, samples::random_direction(random))) * b.pose.orientation;
+    moved.set(i, one, a.pose, two, b.pose);
+  }
+  ContactCaches caches;
+  ContactColumns contacts, whole, for_law;
+  common_normals(here, caches, contacts);
+  ContactCaches others = caches;
+  common_normals(moved, caches, whole);
+  common_normals(moved, others, for_law, Gap::resolve, Curvatures::relative);
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContactGeometry a = whole.get(i), b = for_law.get(i);
+    CHECK(b.status == a.status);
+    // The contact itself to round-off, the curvatures to some 1e-8 of a body's size away.
+    CHECK(b.overlap == Approx(a.overlap).margin(1e-14 * size));
+    CHECK((b.normal - a.normal).norm() < 1e-13);
+    CHECK((b.on_1 - a.on_1).norm() < 1e-12 * size);
+    CHECK(b.relative.R_i == Approx(a.relative.R_i).epsilon(1e-5));
+    CHECK(b.relative.R_j == Approx(a.relative.R_j).epsilon(1e-5));
+    CHECK(a.curvature_1.max > 0.0);
+    CHECK(b.curvature_1.max == 0.0);
+    CHECK(b.curvature_2.max_direction == Vec3::Zero());
+  }
+}
+
 TEST_CASE("A sphere is the same as an ellipsoid or superquadric of equal axes") {
   const Pose pose{Vec3(0.1, 0.2, 0.3), Quat::Identity()};
   const Vec3 axes = Vec3::Constant(0.01);

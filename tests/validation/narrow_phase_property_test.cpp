@@ -43,7 +43,8 @@ Superquadric shape_of(const Knobs& knobs) {
 Pose pose_of(const Knobs& knobs) {
   const Vec3 turn = Vec3(knobs.turn[0], knobs.turn[1], knobs.turn[2]) / 100.0;
   const double angle = turn.norm();
-  const Quat orientation = angle > 0.0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
+  Quat orientation = Quat::Identity();
+  if (angle > 0.0) orientation = Eigen::AngleAxisd(angle, turn / angle);
   return {.position = Vec3(knobs.place[0], knobs.place[1], knobs.place[2]) / 1000.0, .orientation = orientation};
 }
 

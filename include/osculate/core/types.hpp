@@ -9,7 +9,9 @@ namespace osculate {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-using Quat = Eigen::Quaterniond;
+/// Eigen's own quaternion of doubles is aligned as the compiler's flags allow: code compiled for AVX and a library that
+/// is not could not share one.
+using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// Where a body is: x_w = orientation · x_b + position.
 struct Pose {

@@ -73,14 +73,21 @@ struct ContactColumns {
   ContactGeometry get(std::size_t i) const;
 };
 
+/// Which curvatures are worked out.
+enum class Curvatures {
+  all,      ///< each body's own principal curvatures, and the relative ones
+  relative  ///< R_i, R_j and the major axis, all that a force law asks for, as they are within 1e-8 of a body's size
+            ///< about the contact; that itself is found as exactly as ever. The bodies' own columns are left alone.
+};
+
 /// The contacts of all pairs; `contacts` and `caches` are resized to fit. Each pair's answer is bit-identical whatever
 /// pairs stand beside it. Pairs whose cache is empty start cold.
 void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                    Gap gap = Gap::resolve);
+                    Gap gap = Gap::resolve, Curvatures curvatures = Curvatures::all);
 
 /// The same, one pair after another through the same formulas in plain doubles: for comparison.
 void common_normals_scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts,
-                           Gap gap = Gap::resolve);
+                           Gap gap = Gap::resolve, Curvatures curvatures = Curvatures::all);
 
 /// Name of the instruction set that the batches run on ("AVX3", "AVX2", "SSE4").
 const char* batch_instruction_set();
