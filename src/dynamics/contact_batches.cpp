@@ -140,18 +140,20 @@ struct SpringLanes {
   Batch overlap, coefficient;
 
   static HWY_INLINE SpringLanes read(const NormalSpring* from, std::size_t count) {
-    NormalSpring rows[width];
-    for (std::size_t i = 0; i < width; ++i) rows[i] = from[std::min(i, count - 1)];
+    NormalSpring padded[width];
+    if (count < width) {
+      for (std::size_t i = 0; i < width; ++i) padded[i] = from[std::min(i, count - 1)];
+      from = padded;
+    }
     SpringLanes springs;
-    hn::LoadInterleaved2(Tag(), count == width ? &from->overlap : &rows->overlap, springs.overlap.v,
-                         springs.coefficient.v);
+    hn::LoadInterleaved2(Tag(), &from->overlap, springs.overlap.v, springs.coefficient.v);
     return springs;
   }
   HWY_INLINE void write(NormalSpring* to, std::size_t count) const {
     if (count == width) return hn::StoreInterleaved2(overlap.v, coefficient.v, Tag(), &to->overlap);
-    NormalSpring rows[width];
-    hn::StoreInterleaved2(overlap.v, coefficient.v, Tag(), &rows->overlap);
-    std::copy_n(rows, count, to);
+    NormalSpring padded[width];
+    hn::StoreInterleaved2(overlap.v, coefficient.v, Tag(), &padded->overlap);
+    std::copy_n(padded, count, to);
   }
 };
 
