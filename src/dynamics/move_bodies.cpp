@@ -18,9 +18,9 @@ constexpr std::size_t width = lanes<Batch>();
 
 /// Up to one batch of rows of N doubles each, to be read as whole batches: those beyond the last one repeat it.
 template <std::size_t N>
-class Rows {
+class PaddedRows {
  public:
-  HWY_INLINE Rows(const double* first, std::size_t count) : rows_(first) {
+  HWY_INLINE PaddedRows(const double* first, std::size_t count) : rows_(first) {
     if (count >= width) return;
     for (std::size_t i = 0; i < width; ++i) std::copy_n(first + N * std::min(i, count - 1), N, padded_ + N * i);
     rows_ = padded_;
@@ -34,12 +34,12 @@ class Rows {
 
 HWY_INLINE V3<Batch> read(const Vec3* from, std::size_t count) {
   V3<Batch> v;
-  hn::LoadInterleaved3(Tag(), Rows<3>(from->data(), count).get(), v.x.v, v.y.v, v.z.v);
+  hn::LoadInterleaved3(Tag(), PaddedRows<3>(from->data(), count).get(), v.x.v, v.y.v, v.z.v);
   return v;
 }
 HWY_INLINE QuatOf<Batch> read(const Quat* from, std::size_t count) {
   QuatOf<Batch> q;
-  hn::LoadInterleaved4(Tag(), Rows<4>(from->coeffs().data(), count).get(), q.v.x.v, q.v.y.v, q.v.z.v, q.w.v);
+  hn::LoadInterleaved4(Tag(), PaddedRows<4>(from->coeffs().data(), count).get(), q.v.x.v, q.v.y.v, q.v.z.v, q.w.v);
   return q;
 }
 HWY_INLINE void write(const V3<Batch>& v, Vec3* to, std::size_t count) {
@@ -56,12 +56,12 @@ HWY_INLINE void write(const QuatOf<Batch>& q, Quat* to, std::size_t count) {
 }
 
 /// What a record takes from a step beside the position, in its order.
-struct RecordColumns {
+struct MovedColumns {
   QuatOf<Batch> orientation;
   V3<Batch> velocity, mean_angular_velocity, last_velocity, last_angular_velocity;
 };
 
-HWY_INLINE void write_records(const RecordColumns& from, const Vec3* positions, std::size_t count, BodyRecord* to) {
+HWY_INLINE void write_records(const MovedColumns& from, const Vec3* positions, std::size_t count, BodyRecord* to) {
   constexpr std::size_t first = 8, columns = 16;  // of the record: from the orientation to its end
   static_assert(sizeof(BodyRecord) == (first + columns) * sizeof(double) && columns % width == 0);
   const auto& [q, v, mean, last_v, last] = from;
