@@ -98,9 +98,12 @@ struct Step {
 constexpr double flat_limit = 1e-14;
 
 /// M y = right with M = sum − (factor + depth) product, the second variation of the overlap seen from body 1.
-/// Where it is not positive, the overlap term is left out: what remains leads downhill.
+/// M = K2 S K1, S = R1 + R2 − δ: S is positive where det M and tr S are (tr M need not be). Traces and determinants are
+/// those of the two matrices that M is made of; the trusts are set already.
+/// Where S is not positive, the overlap term is left out: what remains leads downhill.
 template <class Real>
 HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Real>& product, double factor,
+                                           const Real& trace_1, const Real& trace_2, const Real& determinants,
                                            const V2<Real>& right, Step<Real>& step) {
   const Real zero(0.0), floor_value(flat_limit);
   const auto variation = [&](const Real& depth) {
@@ -111,7 +114,8 @@ HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Rea
   };
   Mat2<Real> M = variation(step.depth);
   Real det = determinant(M);
-  step.descends = (det > zero) & (trace(M) > zero);
+  const Real trace_of_S = step.trust_1 + step.trust_2 - Real(2.0) * step.depth * determinants;  // times determinants
+  step.descends = (det > zero) & (trace_of_S >= -floor_value * trace_1 * trace_2 * (trace_1 + trace_2));
   if (any(!step.descends)) {
     M = variation(select(step.descends, step.depth, min(step.depth, zero)));
     det = max(determinant(M), Real(flat_limit * flat_limit));
@@ -129,16 +133,17 @@ template <class Real>
 HWY_INLINE void solve(const Sym2<Real>& shape_1, const Sym2<Real>& shape_2, const Real& length, Step<Real>& step) {
   const Sym2<Real> K1 = length * shape_1, K2 = length * shape_2;
   const V2<Real>&e = step.mismatch, &r = step.offset;
-  const V2<Real> t1 =
-      solve_second_variation(matrix(K1 + K2), matrix(K2) * matrix(K1), 0.0, Real(-1.0) * (e + K2 * r), step);
+  const Real trace_1 = K1.pp + K1.qq, trace_2 = K2.pp + K2.qq, det_1 = determinant(K1), det_2 = determinant(K2);
+  step.trust_1 = trace_1 * det_2;
+  step.trust_2 = trace_2 * det_1;
+  const V2<Real> t1 = solve_second_variation(matrix(K1 + K2), matrix(K2) * matrix(K1), 0.0, trace_1, trace_2,
+                                             det_1 * det_2, Real(-1.0) * (e + K2 * r), step);
   const V2<Real> turn = K1 * t1;
   const V2<Real> t2 = t1 - step.depth * turn + r;
   step.turn_1 = turn;
   step.turn_2 = K2 * t2;
   step.move_1 = t1;
   step.move_2 = t2;
-  step.trust_1 = (K1.pp + K1.qq) * determinant(K2);
-  step.trust_2 = (K2.pp + K2.qq) * determinant(K1);
 }
 
 /// From responses: (A1 + A2 − (2 + δ) A2 A1) y1 = −e − A2 (r − e), y2 = y1 − (2 + δ) A1 y1 + r − e.
@@ -146,16 +151,17 @@ template <class Real>
 HWY_INLINE void solve(const Mat2<Real>& A1, const Mat2<Real>& A2, const Real&, Step<Real>& step) {
   const Real two(2.0);
   const V2<Real> e = step.mismatch, d = step.offset - step.mismatch;
-  const V2<Real> y1 = solve_second_variation(A1 + A2, A2 * A1, 2.0, Real(-1.0) * (e + A2 * d), step);
+  const Real trace_1 = trace(A1), trace_2 = trace(A2), det_1 = determinant(A1), det_2 = determinant(A2);
+  step.trust_1 = (trace_1 - two * det_1) * det_2;
+  step.trust_2 = (trace_2 - two * det_2) * det_1;
+  const V2<Real> y1 =
+      solve_second_variation(A1 + A2, A2 * A1, 2.0, trace_1, trace_2, det_1 * det_2, Real(-1.0) * (e + A2 * d), step);
   const V2<Real> turn = A1 * y1;
   const V2<Real> y2 = y1 - (two + step.depth) * turn + d;
   step.turn_1 = turn;
   step.turn_2 = A2 * y2;
   step.move_1 = y1 - step.turn_1;
   step.move_2 = y2 - step.turn_2;
-  const Real det_1 = determinant(A1), det_2 = determinant(A2);
-  step.trust_1 = (trace(A1) - two * det_1) * det_2;
-  step.trust_2 = (trace(A2) - two * det_2) * det_1;
 }
 
 /// What `solve` takes from a jet whose curvature is bounded …

@@ -119,12 +119,53 @@ HWY_NOINLINE std::uint64_t solve_cold(const Rows& rows, const Effort& effort, Or
 }
 
 /// The axes of both bodies, both ways: where the usual start fails.
+constexpr int axis_directions = 12;
 template <class Real>
 HWY_INLINE V3<Real> axis_direction(const Problem<Real>& problem, int k) {
   const Real zero(0.0), side(k % 2 == 0 ? 1.0 : -1.0);
   const int axis = k / 2 % 3;
   const V3<Real> unit{axis == 0 ? side : zero, axis == 1 ? side : zero, axis == 2 ? side : zero};
   return k < 6 ? unit : problem.rotation.apply(unit);
+}
+
+/// Directions in each octant of both bodies, off their planes of symmetry: where two tips meet, a maximum of the
+/// overlap lies on these planes, with minima around it.
+constexpr int oblique_directions = 16;
+template <class Real>
+HWY_INLINE V3<Real> oblique_direction(const Problem<Real>& problem, int k) {
+  const auto side = [&](int bit, double size) { return Real((k >> bit & 1) == 0 ? size : -size); };
+  const V3<Real> unit = normalised(V3<Real>{side(0, 0.5), side(1, 0.3), side(2, 0.8)});
+  return k < 8 ? unit : problem.rotation.apply(unit);
+}
+
+/// Whether an answer that Newton's method did not come to rest at is one all the same: its points lie on the surfaces
+/// and on one line along the normal, no point of a body lies further along it, and no direction near it has less
+/// overlap. Round-off hides the rest where a rim or a tip meets a face, or where one body is far larger than the other.
+template <class Real, class Lifts, class Supports>
+HWY_NOINLINE MaskType<Real> is_contact(const Lifts& lifts, const Supports& supports, const Answer<Real>& answer,
+                                       const Real& tolerance) {
+  constexpr double on_one_line = 1e-9;  // over the smaller body
+  constexpr int directions = 8;
+  constexpr double eighth = 0.70710678118654752;
+  constexpr double ring[directions][2] = {{1, 0},  {eighth, eighth},   {0, 1},  {-eighth, eighth},
+                                          {-1, 0}, {-eighth, -eighth}, {0, -1}, {eighth, -eighth}};
+  const auto& [point_1, normal_1, point_2, normal_2] = answer.touch;
+  const V3<Real>& normal = answer.normal;
+  const V3<Real> off_1 = lifts.lift_1(point_1, normal_1).point - point_1;
+  const V3<Real> off_2 = lifts.lift_2(point_2, normal_2).point - point_2;
+  const V3<Real> apart = point_1 - point_2, off_line = apart - answer.overlap * normal;
+  const Real line = Real(on_one_line) * lifts.length;
+  MaskType<Real> right = (dot(off_1, off_1) < square(tolerance)) & (dot(off_2, off_2) < square(tolerance)) &
+                         (dot(off_line, off_line) < square(line)) &
+                         (dot(supports.support_1(normal).point - point_1, normal) < tolerance) &
+                         (dot(point_2 - supports.support_2(-normal).point, normal) < tolerance);
+  const TangentBasis<Real> basis = tangent_basis(normal);
+  for (double turn = 0.1; turn > 1e-6; turn *= 0.4)
+    for (int k = 0; k < directions && any(right); ++k) {
+      const V2<Real> aside{Real(turn * ring[k][0]), Real(turn * ring[k][1])};
+      right = right & (overlap_along(supports, normalised(normal + lift(basis, aside))) > answer.overlap - tolerance);
+    }
+  return right;
 }
 
 /// The few pairs that are left: with patience, then from many starts. The deepest minimum of those found is the answer.
@@ -137,6 +178,9 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
   Real least = overlap_along(supports, best_direction);
   const auto finish = [&](const Touch<Real>& touch, const Real& lowest, MaskType<Real> open) HWY_ATTR {
     Answer<Real> answer = polish(lifts, {touch, Real(0.0)}, stubborn.newtons);
+    if (any(open & !answer.converged))
+      answer.converged =
+          answer.converged | is_contact(lifts, supports, answer, Real(0.5) * problem.overlap_tolerance());
     answer.converged = answer.converged & (answer.overlap <= lowest + problem.overlap_tolerance()) & open;
     const MaskType<Real> lower = open & (lowest < least);
     best_direction = select(lower, touch.normal_1, best_direction);
@@ -166,8 +210,10 @@ HWY_NOINLINE std::uint64_t solve_hard(const Rows& rows) {
     for (const Touch<Real>& touch : {on_1, swapped, approach(lifts, lowered)})
       improve(finish(touch, overlap_along(supports, touch.normal_1), open));
   }
-  const MaskType<Real> open = !best.converged;
-  for (int k = 0; k < 12 && any(open); ++k) improve(attempt(axis_direction(problem, k), open));
+  if (const MaskType<Real> open = !best.converged; any(open))
+    for (int k = 0; k < axis_directions; ++k) improve(attempt(axis_direction(problem, k), open));
+  if (const MaskType<Real> open = !best.converged; any(open))
+    for (int k = 0; k < oblique_directions; ++k) improve(attempt(oblique_direction(problem, k), open));
   const MaskType<Real> found =
       write_answer(problem, best, best.converged & (best.overlap <= least + problem.overlap_tolerance()), rows);
   const MaskType<Real> finite = least == least;
@@ -203,22 +249,26 @@ inline V3<double> v3(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across.
-/// A second minimum as shallow as the first within round-off makes the contact ambiguous.
+/// Proves the answers of deep contacts global, or replaces them by deeper-lying minima that the proof comes across;
+/// where it meets one that Newton's method cannot settle, the contact is not converged. Pairs that are not converged so
+/// far get another chance. A second minimum as shallow as the first within round-off makes the contact ambiguous.
 void confirm(const Tables& tables, Index i) {
-  constexpr int most_supports = 300;
-  constexpr std::size_t most_others = 8;
-  constexpr double tolerance = 1e-4;    // minima closer than this in overlap are not told apart
-  constexpr double same_normal = 0.95;  // cosine: faces nearer than this belong to the minimum itself
+  constexpr int most_supports = 300, most_searches = 30;
+  constexpr std::size_t most_others = 16;
+  constexpr double tolerance = 1e-6;    // minima closer than this in overlap are not told apart
+  constexpr double same_normal = 0.98;  // cosine: faces nearer than this belong to the minimum itself
   const Rows rows{tables, i};
   const auto& contacts = tables.contacts;
   const auto problem = problem_of<double>(rows);
   const auto lifts = problem.as<MixedSurface<double>>();
   const auto supports = problem.as<SupportSurface<SharpJet<double>, double, RealPower>>();
   const double equal = problem.overlap_tolerance();
-  double least = contacts.columns[3][i];
   const V3<double> world{contacts.columns[0][i], contacts.columns[1][i], contacts.columns[2][i]};
+  bool found = is_resolved(contacts.statuses[i]);
+  double least = contacts.columns[3][i];  // of minima, or of directions if none is found
   V3<double> normal = problem.frame.apply_inverse(problem.swapped ? -world : world);
+  double least_seen = least;
+  V3<double> direction_seen = normal;
 
   const auto difference_point = [&](const V3<double>& u) {
     return supports.support_1(u).point - supports.support_2(-u).point;
@@ -227,30 +277,37 @@ void confirm(const Tables& tables, Index i) {
   const auto arm = [&](const V3<double>& u) { return vec3(difference_point(u) - centre); };
   PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
                        problem.size_1 + problem.size_2);
-  const auto minimum_from = [&](const V3<double>& direction) {
+  /// Takes the minimum below a direction if it is lower, or as low and none was found. Returns whether it is one as
+  /// low.
+  int searches = 0;
+  const auto search = [&](const V3<double>& direction) {
+    if (++searches > most_searches) return false;
     Answer<double> answer;
     for (const Effort& effort : {usual, stubborn}) {
       double lowest = 0.0;
       const Touch<double> touch = descend(lifts, supports, direction, effort, lowest);
       answer = polish(lifts, {touch, 0.0}, effort.newtons);
-      answer.converged = answer.converged && answer.overlap <= lowest + equal;
+      answer.converged =
+          (answer.converged || is_contact(lifts, supports, answer, 0.5 * equal)) && answer.overlap <= lowest + equal;
+      if (lowest < least_seen) {
+        least_seen = lowest;
+        direction_seen = touch.normal_1;
+      }
       if (answer.converged) break;
     }
-    return answer;
-  };
-  const auto take = [&](const Answer<double>& answer) {
+    if (!answer.converged || answer.overlap > least + equal) return false;
+    if (found && answer.overlap >= least - equal) return dot(answer.normal, normal) <= same_normal;
     write_answer(problem, answer, true, rows);
+    found = true;
     least = answer.overlap;
     normal = answer.normal;
+    return false;
   };
   for (int k = 0; k < most_supports; ++k) {
     const PenetrationHull::Face* face = hull.lowest();
     if (face == nullptr || face->offset >= (1.0 - tolerance) * least) break;
     const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
-    if (dot(support_point, direction) < least - equal) {
-      const Answer<double> answer = minimum_from(direction);
-      if (answer.converged && answer.overlap < least - equal) take(answer);
-    }
+    if (dot(support_point, direction) < least - equal) search(direction);
     hull.expand(*face, vec3(support_point));
   }
   // Faces as low as the minimum, elsewhere: one more minimum as good?
@@ -260,18 +317,17 @@ void confirm(const Tables& tables, Index i) {
            std::all_of(elsewhere.begin(), elsewhere.end(),
                        [&](const V3<double>& other) { return dot(direction, other) < same_normal; });
   };
+  for (int k = 0; k < axis_directions; ++k)
+    if (const V3<double> axis = axis_direction(problem, k);
+        is_new(axis) && dot(difference_point(axis), axis) <= least + equal)
+      elsewhere.push_back(axis);
   for (const auto& face : hull.faces())
     if (face.offset <= least + equal && elsewhere.size() < most_others && is_new(v3(face.normal)))
       elsewhere.push_back(v3(face.normal));
-  for (const V3<double>& direction : elsewhere) {
-    const Answer<double> answer = minimum_from(direction);
-    if (!answer.converged || answer.overlap > least + equal) continue;
-    if (answer.overlap < least - equal) {
-      take(answer);
-    } else if (dot(answer.normal, normal) <= same_normal) {
-      tables.contacts.statuses[i] = ContactStatus::ambiguous;
-    }
-  }
+  for (const V3<double>& direction : elsewhere)
+    if (search(direction)) tables.contacts.statuses[i] = ContactStatus::ambiguous;
+  if (least_seen < least - equal)
+    write_failure(problem, direction_seen, least_seen, ContactStatus::not_converged, true, rows);
 }
 
 /// What is done with a pair first: by what its cache holds and by what its exponents allow. `blunt`: none is below 2;
@@ -383,8 +439,10 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   in_batches<Real>(tables, {{}, hard}, none, solve_hard<Real>);
 
   const auto prove = [&](Index i) {
-    if (is_resolved(contacts.statuses[i]) && contacts.columns[3][i] > 0.0 &&
-        !is_certainly_global(pairs, contacts.columns[3][i], i))
+    const double overlap = contacts.columns[3][i];
+    const ContactStatus status = contacts.statuses[i];
+    if (overlap > 0.0 &&
+        (status == ContactStatus::not_converged || (is_resolved(status) && !is_certainly_global(pairs, overlap, i))))
       confirm(tables, i);
   };
   for (const Stage stage : {cold_twos, cold_whole, cold_blunt, cold_sharp}) {

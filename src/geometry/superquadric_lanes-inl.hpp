@@ -185,7 +185,13 @@ struct Problem {
   Real length;              ///< the smaller of the two
 
   HWY_INLINE Real coordinate_size() const { return size_1 + size_2 + norm(centre_2); }
-  HWY_INLINE Real overlap_tolerance() const { return HWY_NAMESPACE::overlap_tolerance(length, coordinate_size()); }
+  HWY_INLINE Real overlap_tolerance() const {
+    const auto mean_axis = [](const V3<Real>& axes, const Real& size) HWY_ATTR {
+      return size * power(axes.x / size * (axes.y / size) * (axes.z / size), Real(1.0 / 3.0));
+    };
+    return HWY_NAMESPACE::overlap_tolerance(
+        min(mean_axis(body_1.half_axes, size_1), mean_axis(body_2.half_axes, size_2)), coordinate_size());
+  }
 
   template <class Surface>
   HWY_INLINE SurfacePair<Real, Surface, Surface> as() const {

@@ -145,9 +145,14 @@ class MixedSurface {
 
   HWY_NOINLINE Jet lift(const V3<Real>& point, const V3<Real>& normal) const {
     const V3<Real> c = times(absolute(point), inverse_axes_), m = times(absolute(normal), half_axes_);
-    // Near a sharp tip the normals know the direction in the x–y plane, near a flat pole the points.
-    const MaskType<Real> i =
-        max(m.x, m.y) * max(max(c.x, c.y), c.z) > inner_bias_ * (max(c.x, c.y) * max(max(m.x, m.y), m.z));
+    // Near a sharp tip the normals know the direction in the x–y plane, near a flat pole the points, and on the flat
+    // side of a pyramid the points up to its tip: there normals turn by (n2 − 1) r^(n2 − 2), r^(n2 − 1) the ratio of
+    // the normal's coordinates, r that of the point's.
+    const Real c_most = max(c.x, c.y), m_most = max(m.x, m.y);
+    const Real turn =
+        (inner_exponent_ - Real(1.0)) * (min(m.x, m.y) * c_most) / max(min(c.x, c.y) * m_most, Real(1e-300));
+    const Real known = select(inner_exponent_ > Real(4.0), min(square(turn), Real(1.0)), Real(1.0));
+    const MaskType<Real> i = known * m_most * max(c_most, c.z) > inner_bias_ * (c_most * max(m_most, m.z));
     const MaskType<Real>& o = outer_is_dual_;
     const PairNorm<Real> inner_seen =
         pair_norm<RealPower>(select(i, m.x, c.x), select(i, m.y, c.y), select(i, inner_dual_, inner_exponent_));

@@ -64,10 +64,20 @@ TEST_CASE("Random pairs with sharp rims get a right answer or an honest status")
   check_answers(result);
 }
 
-// Known to fail, hence reported without failing the run: coincident centres and exactly parallel faces still meet NaN,
-// second minima and bits that change under scaling.
-TEST_CASE("Nasty poses get a right answer or an honest status", "[!mayfail]") {
-  check_answers(stress(nasty_run()));
+// Two of 6318 remain, tips of n = 1.05 on one another, whose four minima differ by 1e-9 of the overlap; how many of them
+// are met depends on round-off.
+TEST_CASE("Nasty poses get a right answer or an honest status") {
+  const RobustnessResult result = stress(nasty_run());
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < troubles; ++k) {
+    const auto trouble = static_cast<Trouble>(k);
+    if (trouble == Trouble::world)
+      wrong += count_of(result, trouble);
+    else if (trouble != Trouble::not_converged)
+      check_none(result, trouble);
+  }
+  CHECK(wrong <= 6);
+  CHECK(count_of(result, Trouble::not_converged) <= 30);  // 14 here, all with exponents below 2
 }
 
 TEST_CASE("The checks find a wrong contact") {

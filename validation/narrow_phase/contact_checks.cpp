@@ -14,7 +14,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double distance_from_surface(const Superquadric& shape, const Vec3& point_b) {
-  if (point_b.isZero()) return std::numeric_limits<double>::infinity();
+  if (point_b == Vec3::Zero()) return std::numeric_limits<double>::infinity();
   const auto [value, gradient] = plain::gauge<double>(shape, point_b);
   return std::fabs(value - 1.0) / gradient.norm();  // to first order
 }
@@ -38,8 +38,14 @@ std::vector<Vec3> lattice(int count) {
   return directions;
 }
 
+/// Beside the largest component, one below this has a square that vanishes: no digit of it can be relied on.
+constexpr double without_digits = 1e-150;
+
 bool same_bits(const Vec3& a, const Vec3& b) {
-  return a == b;
+  const double vanishing = without_digits * a.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 3; ++i)
+    if (a[i] != b[i] && !(std::fabs(a[i]) < vanishing && std::fabs(b[i]) < vanishing)) return false;
+  return true;
 }
 
 bool same_bits(const PrincipalCurvatures& a, const PrincipalCurvatures& b, double factor) {

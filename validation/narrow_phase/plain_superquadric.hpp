@@ -25,7 +25,9 @@ Support<Real> support(const Vector<Real>& half_axes, Real q1, Real q2, const Vec
   const Real largest = full.maxCoeff();
   if (!(largest > 0)) return {0, Vector<Real>::Zero()};
   const Vector<Real> w = full / largest;
-  const Real s = w.x() + w.y() > 0 ? std::pow(std::pow(w.x(), q2) + std::pow(w.y(), q2), 1 / q2) : Real(0);
+  // From the larger one: the powers of two small numbers are zero.
+  const auto [less, more] = std::minmax({w.x(), w.y()});
+  const Real s = more > 0 ? more * std::pow(1 + std::pow(less / more, q2), 1 / q2) : Real(0);
   const Real h = std::pow(std::pow(s, q1) + std::pow(w.z(), q1), 1 / q1);
   const Real along_s = std::pow(s / h, q1 - 1);
   Vector<Real> point = Vector<Real>::Zero();
