@@ -294,8 +294,8 @@ double PairOsculate::memory_usage() {
     bytes += static_cast<double>(chunk.far.capacity() * (sizeof(FarPair) + sizeof(FarCache)) +
                                  chunk.contacts.memory.capacity() * sizeof(MemoryLine) +
                                  chunk.contacts.bodies.capacity() *
-                                     (sizeof(chunk.contacts.bodies[0]) + sizeof(ContactCache) + sizeof(NormalSpring) +
-                                      sizeof(PairConstants) + sizeof(Vec3)) +
+                                     (sizeof(chunk.contacts.bodies[0]) + ContactCaches::width * sizeof(double) +
+                                      sizeof(std::uint16_t) + sizeof(NormalSpring) + sizeof(Vec3)) +
                                  chunk.bodies.capacity() * (sizeof(std::int32_t) + sizeof(Wrench)));
   return bytes;
 }

@@ -46,14 +46,11 @@ double sphere_gap(const RankBodies& rank, Index one, Index two) {
   return (second - rank.kinematics.records[one].position()).norm() - rank.radius[one] - rank.radius[two];
 }
 
-/// Everything that a contact remembers, one after another; `visit` sees every double.
+/// Everything that a contact remembers, one after another, but state and constants; `visit` sees every double.
 template <class Self, class Visit>
 void visit_contact(Self& contacts, Index i, Index memory_size, Visit&& visit) {
   for (Index m = 0; m < memory_size; ++m) visit(contacts.memory[i / law_lanes * memory_size + m].lanes[i % law_lanes]);
   for (Index k = 0; k < ContactCaches::width; ++k) visit(contacts.caches.columns[k][i]);
-  visit(contacts.reduced_mass[i]);
-  visit(contacts.effective_radius[i]);
-  visit(contacts.radius_cap[i]);
   visit(contacts.spring[i].overlap);
   visit(contacts.spring[i].coefficient);
 }
@@ -63,6 +60,8 @@ void stow_contact(const Contacts& contacts, Index i, Index memory_size, double p
   const Index length_at = to.size();
   to.push_back(0.0);
   to.push_back(static_cast<double>(contacts.caches.states[i]));
+  const auto& [reduced_mass, effective_radius, radius_cap] = contacts.constants[contacts.kind[i]];
+  for (const double constant : {reduced_mass, effective_radius, radius_cap}) to.push_back(constant);
   visit_contact(contacts, i, memory_size, [&](double value) { to.push_back(value); });
   to[length_at] = static_cast<double>(to.size() - length_at - 1);
 }
@@ -76,8 +75,9 @@ const double* find_contact(const StowedContacts& stowed, double partner) {
 /// The contact's bodies get their places later.
 void append_stowed(Contacts& contacts, const double* numbers, const ContactLaw& law) {
   ContactCache cache;
-  cache.state = static_cast<ContactCache::State>(static_cast<int>(*numbers++));
-  append_contact(contacts, Place{}, cache, PairConstants{}, law);
+  cache.state = static_cast<ContactCache::State>(static_cast<int>(numbers[0]));
+  append_contact(contacts, Place{}, cache, {numbers[1], numbers[2], numbers[3]}, law);
+  numbers += 4;
   visit_contact(contacts, contacts.size() - 1, law.memory_size(), [&](double& value) { value = *numbers++; });
 }
 

@@ -106,6 +106,7 @@ class ChunkStep {
   void find_awake();
   void sort_out(Index row);
   PairConstants constants_of(const LocalPair& pair) const;
+  void spread_constants();
   void call_law();
   void check_contacts();
   void report_extremes(const LawSums& sums);
@@ -230,6 +231,19 @@ PairConstants ChunkStep::constants_of(const LocalPair& pair) const {
           .radius_cap = world_.setup.radius_cap * std::min(radius_1, radius_2)};
 }
 
+void ChunkStep::spread_constants() {
+  const Contacts& contacts = chunk_.contacts;
+  const Index size = contacts.size();
+  auto& [reduced_mass, effective_radius, radius_cap] = scratch_.constants;
+  reduced_mass.resize(size), effective_radius.resize(size), radius_cap.resize(size);
+  for (Index i = 0; i < size; ++i) {
+    const PairConstants& constants = contacts.constants[contacts.kind[i]];
+    reduced_mass[i] = constants.reduced_mass;
+    effective_radius[i] = constants.effective_radius;
+    radius_cap[i] = constants.radius_cap;
+  }
+}
+
 void ChunkStep::sort_out(Index row) {
   constexpr double safety = 1e-9;  // of the bodies' size: far above the round-off of a gap
   const Index k = index_of(scratch_.awake[row]);
@@ -279,8 +293,8 @@ void ChunkStep::call_law() {
                        .velocity = const_vectors(scratch_.motion, of_motion::velocity, size),
                        .angular_velocity = const_vectors(scratch_.motion, of_motion::angular, size),
                        .mean_angular_velocity = const_vectors(scratch_.motion, of_motion::mean_angular, size),
-                       .reduced_mass = contacts.reduced_mass,
-                       .effective_radius = contacts.effective_radius,
+                       .reduced_mass = scratch_.constants.reduced_mass,
+                       .effective_radius = scratch_.constants.effective_radius,
                        .smallest_radius = {},
                        .time_step = kinematics_.time_step};
   const LawOutput output{.force = vectors(out, of_answer::force, size),
@@ -328,7 +342,7 @@ void ChunkStep::report_extremes(const LawSums& sums) {
     const LocalPair& pair = chunk_.contacts.bodies[i];
     if (overlaps[i] > deepest * std::min(shape(pair.first).half_width, shape(pair.second).half_width))
       report(chunk_, Fault::too_deep, global(pair), overlaps[i]);
-    if (stiffness[i] / chunk_.contacts.reduced_mass[i] * dt * dt > stiffest_step)
+    if (stiffness[i] / scratch_.constants.reduced_mass[i] * dt * dt > stiffest_step)
       report(chunk_, Fault::step_too_long, global(pair), overlaps[i]);
   }
 }
@@ -373,7 +387,8 @@ void ChunkStep::apply_law() {
   std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench{Vec3::Zero(), Vec3::Zero()});
   Contacts& contacts = chunk_.contacts;
   if (contacts.size() == 0) return;
-  describe_motion(records(contacts.bodies), scratch_.contacts.images, contacts.radius_cap, law_.needs(),
+  spread_constants();
+  describe_motion(records(contacts.bodies), scratch_.contacts.images, scratch_.constants.radius_cap, law_.needs(),
                   scratch_.contacts.geometry, scratch_.arms, scratch_.motion);
   call_law();
   check_contacts();
@@ -384,7 +399,7 @@ void ChunkStep::apply_law() {
                                 .time_step = kinematics_.time_step,
                                 .has_couples = law_.makes_couples(),
                                 .has_springs = reach_ == 0.0},
-                               contacts.reduced_mass, contacts.spring, scratch_.torques);
+                               scratch_.constants.reduced_mass, contacts.spring, scratch_.torques);
   report_extremes(sums);
   chunk_.viscous_loss += sums.viscous_loss;
   chunk_.friction_loss += sums.friction_loss;

@@ -26,6 +26,11 @@ struct ChunkScratch {
     ContactColumns geometry;
   };
   Solved far, contacts;
+  /// Of contacts, one a row.
+  struct ConstantColumns {
+    std::vector<double> reduced_mass, effective_radius, radius_cap;
+  };
+  ConstantColumns constants;
   Columns<of_arms::columns> arms;
   Columns<of_motion::columns> motion;
   Columns<of_answer::columns> answer;

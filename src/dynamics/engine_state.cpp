@@ -26,9 +26,8 @@ struct Totals {
   double viscous_loss, friction_loss, hysteresis_loss, curvature_gain, stored_normal, stored_tangential, stiffest;
 };
 
-/// A contact's cache as numbers: all its vectors. A far pair's has floats of its own.
-using CacheNumbers = std::array<double, ContactCaches::width>;
-static_assert(6 * 3 == ContactCaches::width);
+/// A contact's cache as numbers: all its vectors. A far pair has floats of its own.
+using CacheNumbers = std::array<double, 6 * 3>;
 using FarNumbers = std::array<double, std::tuple_size_v<decltype(FarCache::numbers)>>;
 CacheNumbers numbers_of(const ContactCache& cache) {
   CacheNumbers numbers{};
@@ -52,9 +51,8 @@ ContactCache cache_of(const CacheNumbers& numbers, std::int32_t state) {
   const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
   return {state_of(state), vector(0), vector(3), vector(6), vector(9), vector(12), vector(15)};
 }
-FarCache far_cache_of(const FarNumbers& numbers, std::int32_t state) {
+FarCache far_cache_of(const FarNumbers& numbers) {
   FarCache cache;
-  cache.state = state_of(state);
   std::transform(numbers.begin(), numbers.end(), cache.numbers.begin(),
                  [](double number) { return static_cast<float>(number); });
   return cache;
@@ -78,7 +76,6 @@ struct FlatPairs {
   std::vector<std::int32_t> bodies;
   std::vector<BodyPair> far;
   std::vector<double> far_quiet;
-  std::vector<std::int32_t> far_state;
   std::vector<FarNumbers> far_cache;
   std::vector<BodyPair> contacts;
   std::vector<std::int32_t> contact_state;
@@ -95,7 +92,6 @@ struct FlatPairs {
     visitor.template array<std::int32_t>("chunks.bodies", bodies);
     visitor.template array<std::int32_t>("far.bodies", far);
     visitor.template array<double>("far.quiet_until", far_quiet);
-    visitor.template array<std::int32_t>("far.cache_state", far_state);
     visitor.template array<double>("far.cache", far_cache);
     visitor.template array<std::int32_t>("contacts.bodies", contacts);
     visitor.template array<std::int32_t>("contacts.cache_state", contact_state);
@@ -126,14 +122,13 @@ FlatPairs flat(const PairList& list) {
     for (std::size_t i = 0; i < chunk.far.size(); ++i) {
       all.far.push_back(wide(chunk.far[i].bodies));
       all.far_quiet.push_back(chunk.far[i].quiet_until);
-      all.far_state.push_back(static_cast<std::int32_t>(chunk.far_caches[i].state));
       all.far_cache.push_back(numbers_of(chunk.far_caches[i]));
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       all.contacts.push_back(wide(contacts.bodies[i]));
       all.contact_state.push_back(static_cast<std::int32_t>(contacts.caches.states[i]));
       all.contact_cache.push_back(numbers_of(contacts.caches.get(i)));
-      all.constants.push_back({contacts.reduced_mass[i], contacts.effective_radius[i], contacts.radius_cap[i]});
+      all.constants.push_back(contacts.constants[contacts.kind[i]]);
     }
     append(all.memory, contacts.memory);
     append(all.spring, contacts.spring);
@@ -169,7 +164,6 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
   Next bodies("chunks.bodies", all.bodies);
   Next far("far.bodies", all.far);
   Next far_quiet("far.quiet_until", all.far_quiet);
-  Next far_state("far.cache_state", all.far_state);
   Next far_cache("far.cache", all.far_cache);
   Next contact("contacts.bodies", all.contacts);
   Next contact_state("contacts.cache_state", all.contact_state);
@@ -208,7 +202,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
     chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
     for (std::uint64_t i = 0; i < header.far; ++i) {
       chunk.far.push_back({narrow(far(), chunk), static_cast<float>(far_quiet())});
-      chunk.far_caches.push_back(far_cache_of(far_cache(), far_state()));
+      chunk.far_caches.push_back(far_cache_of(far_cache()));
     }
     for (std::uint64_t i = 0; i < header.contacts; ++i) {
       append_contact(chunk.contacts, narrow(contact(), chunk), cache_of(contact_cache(), contact_state()), constants(),
@@ -354,9 +348,9 @@ std::size_t Simulation::Engine::contact_bytes() const {
   for (const PairChunk& chunk : pairs_.chunks) {
     const Contacts& contacts = chunk.contacts;
     sum += bytes(contacts.bodies) + bytes(contacts.caches.states) +
-           contacts.caches.states.capacity() * sizeof(CacheNumbers) + bytes(contacts.memory) +
-           bytes(contacts.reduced_mass) + bytes(contacts.effective_radius) + bytes(contacts.radius_cap) +
-           bytes(contacts.spring) + bytes(contacts.force) + bytes(contacts.couple);
+           contacts.caches.states.capacity() * ContactCaches::width * sizeof(double) + bytes(contacts.memory) +
+           bytes(contacts.kind) + bytes(contacts.constants) + bytes(contacts.spring) + bytes(contacts.force) +
+           bytes(contacts.couple);
   }
   return sum;
 }

@@ -15,11 +15,11 @@ void copy_memory(const std::vector<MemoryLine>& from, std::size_t source, std::v
         from[source / law_lanes * size + m].lanes[source % law_lanes];
 }
 
-void put(std::array<float, 12>& numbers, std::size_t first, const Vec3& v) {
-  for (std::size_t k = 0; k < 3; ++k) numbers[first + k] = static_cast<float>(v[static_cast<Eigen::Index>(k)]);
-}
-Vec3 vector_at(const std::array<float, 12>& numbers, std::size_t first) {
-  return {numbers[first], numbers[first + 1], numbers[first + 2]};
+/// Pairs of a chunk are few, and so are their constants: a contact that comes back finds its own.
+std::uint16_t kind_of(const PairConstants& constants, std::vector<PairConstants>& known) {
+  const auto place = std::find(known.begin(), known.end(), constants) - known.begin();
+  if (place == std::ssize(known)) known.push_back(constants);
+  return static_cast<std::uint16_t>(place);
 }
 
 }  // namespace
@@ -29,19 +29,30 @@ float rounded_down(double x) {
   return near > x ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
 }
 
-FarCache::FarCache(const ContactCache& cache) : state(cache.state) {
-  put(numbers, 0, cache.point_1), put(numbers, 3, cache.normal_1);
-  put(numbers, 6, cache.point_2), put(numbers, 9, cache.normal_2);
+FarCache::FarCache(const ContactCache& cache) {
+  if (cache.state == ContactCache::State::empty) return;
+  const auto put = [&](std::size_t first, const Vec3& v) {
+    for (std::size_t k = 0; k < 3; ++k) numbers[first + k] = static_cast<float>(v[static_cast<Eigen::Index>(k)]);
+  };
+  put(0, cache.normal_1), put(3, cache.normal_2);
+  numbers[6] = static_cast<float>(cache.point_1.dot(cache.normal_1));
+  numbers[7] = static_cast<float>(cache.point_2.dot(cache.normal_2));
 }
 
 ContactCache FarCache::cache(double radius_1, double radius_2) const {
   // A vector rounded to floats is off by 2^-24 of its length, a unit vector by as much again once it has length 1; the
-  // support in it, and the point's height along it, by a radius times that each.
+  // support in it is by a radius times that, and its height by as much.
   constexpr double slack = 4.0 * 0x1p-24;
-  if (state == ContactCache::State::empty) return {};
-  const Vec3 normal_1 = vector_at(numbers, 3).normalized(), normal_2 = vector_at(numbers, 9).normalized();
-  return {state, vector_at(numbers, 0) + slack * radius_1 * normal_1, normal_1,
-          vector_at(numbers, 6) + slack * radius_2 * normal_2, normal_2};
+  const auto normal = [&](std::size_t first) {
+    return Vec3(numbers[first], numbers[first + 1], numbers[first + 2]).normalized();
+  };
+  ContactCache cache;
+  if (numbers == FarCache().numbers) return cache;
+  cache.state = ContactCache::State::separation;
+  cache.normal_1 = normal(0), cache.normal_2 = normal(3);
+  cache.point_1 = (numbers[6] + slack * radius_1) * cache.normal_1;
+  cache.point_2 = (numbers[7] + slack * radius_2) * cache.normal_2;
+  return cache;
 }
 
 void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCache& cache,
@@ -54,9 +65,7 @@ void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCa
   // A law may leave anything in the lanes behind the last contact.
   for (std::size_t m = 0; m < law.memory_size(); ++m)
     contacts.memory[i / law_lanes * law.memory_size() + m].lanes[i % law_lanes] = 0.0;
-  contacts.reduced_mass.push_back(constants.reduced_mass);
-  contacts.effective_radius.push_back(constants.effective_radius);
-  contacts.radius_cap.push_back(constants.radius_cap);
+  contacts.kind.push_back(kind_of(constants, contacts.constants));
   contacts.spring.push_back({0.0, 0.0});
   contacts.force.push_back(Vec3::Zero());
   if (law.makes_couples()) contacts.couple.push_back(Vec3::Zero());
@@ -64,8 +73,7 @@ void append_contact(Contacts& contacts, const LocalPair& bodies, const ContactCa
 
 void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, const ContactLaw& law) {
   const std::size_t end = contacts.size();
-  append_contact(contacts, from.bodies[i], from.caches.get(i),
-                 {from.reduced_mass[i], from.effective_radius[i], from.radius_cap[i]}, law);
+  append_contact(contacts, from.bodies[i], from.caches.get(i), from.constants[from.kind[i]], law);
   copy_memory(from.memory, i, contacts.memory, end, law.memory_size());
   contacts.spring[end] = from.spring[i];
   contacts.force[end] = from.force[i];
@@ -90,9 +98,7 @@ void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
   contacts.caches.set(i, contacts.caches.get(last));
   contacts.caches.resize(last);
   fill_gap(contacts.bodies);
-  fill_gap(contacts.reduced_mass);
-  fill_gap(contacts.effective_radius);
-  fill_gap(contacts.radius_cap);
+  fill_gap(contacts.kind);
   fill_gap(contacts.spring);
   fill_gap(contacts.force);
   if (law.makes_couples()) fill_gap(contacts.couple);
@@ -116,9 +122,8 @@ void drop_spare_room(PairChunk& chunk) {
   contacts.caches = std::move(caches);
   fit(contacts.bodies, room);
   fit(contacts.memory, contacts.memory.size() * room / std::max<std::size_t>(size, 1));
-  fit(contacts.reduced_mass, room);
-  fit(contacts.effective_radius, room);
-  fit(contacts.radius_cap, room);
+  fit(contacts.kind, room);
+  fit(contacts.constants, contacts.constants.size());
   fit(contacts.spring, room);
   fit(contacts.force, room);
   if (!contacts.couple.empty()) fit(contacts.couple, room);

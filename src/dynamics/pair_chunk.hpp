@@ -50,16 +50,14 @@ struct FarPair {
   float quiet_until;  ///< it cannot touch before both travels add up to this [m]
 };
 
-/// A cache in half the room, for a pair that sleeps: floats, without the curvatures, which do not keep while the bodies
-/// are apart.
+/// What a pair that sleeps keeps of its cache: two planes that separate the bodies, in floats. Points and curvatures do
+/// not keep while the bodies are apart.
 struct FarCache {
-  ContactCache::State state = ContactCache::State::empty;
-  std::array<float, 12> numbers{};  ///< point 1, normal 1, point 2, normal 2
+  std::array<float, 8> numbers{};  ///< normal 1, normal 2, heights of the planes along them [m]; zeros: knows nothing
 
   FarCache() = default;
   explicit FarCache(const ContactCache& cache);
-  /// The planes through the points along the normals, which separate the bodies, are moved out by more than rounding
-  /// took: they still do.
+  /// The planes are moved out by more than rounding took: they still separate the bodies.
   /// @param radii  of the bodies about their frames [m]; 0 where no such plane is looked at
   ContactCache cache(double radius_1, double radius_2) const;
 };
@@ -70,24 +68,26 @@ struct NormalSpring {
   double coefficient;  ///< [J/m^(p + 1)]
 };
 
+/// A contact's constants.
+struct PairConstants {
+  double reduced_mass;      ///< [kg]
+  double effective_radius;  ///< of the volume-equivalent spheres [m]
+  double radius_cap;        ///< [m]
+  friend bool operator==(const PairConstants&, const PairConstants&) = default;
+};
+
 /// Pairs that touch, one after another. Everything about contact i stands at i.
 struct Contacts {
   std::vector<LocalPair> bodies;
   ContactCaches caches;
   std::vector<MemoryLine> memory;        ///< memory_size lines for every eight contacts
-  std::vector<double> reduced_mass;      ///< [kg]
-  std::vector<double> effective_radius;  ///< of the volume-equivalent spheres [m]
-  std::vector<double> radius_cap;        ///< [m]
+  std::vector<std::uint16_t> kind;       ///< which of `constants`
+  std::vector<PairConstants> constants;  ///< different ones; among equal bodies there is one
   std::vector<NormalSpring> spring;
   std::vector<Vec3> force;   ///< on body 1 [N]
   std::vector<Vec3> couple;  ///< on body 1 [N m]; empty where the law makes none
 
   std::size_t size() const { return bodies.size(); }
-};
-
-/// A contact's constants.
-struct PairConstants {
-  double reduced_mass, effective_radius, radius_cap;
 };
 
 /// Force and torque on a body by the contacts of one chunk.

@@ -98,9 +98,9 @@ struct Step {
 constexpr double flat_limit = 1e-14;
 
 /// M y = right with M = sum − (factor + depth) product, the second variation of the overlap seen from body 1.
-/// M = K2 S K1, S = R1 + R2 − δ: S is positive where det M and tr S are (tr M need not be). Traces and determinants are
-/// those of the two matrices that M is made of; the trusts are set already.
-/// Where S is not positive, the overlap term is left out: what remains leads downhill.
+/// Of convex bodies M = K2 S K1, S = R1 + R2 − δ: S is positive where det M and tr S are; tr M need not be. Inside a
+/// wall tr M tells. Traces and determinants are those of the two matrices that M is made of; the trusts are set
+/// already. Where the variation is not positive, the overlap term is left out: what remains leads downhill.
 template <class Real>
 HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Real>& product, double factor,
                                            const Real& trace_1, const Real& trace_2, const Real& determinants,
@@ -115,7 +115,9 @@ HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Rea
   Mat2<Real> M = variation(step.depth);
   Real det = determinant(M);
   const Real trace_of_S = step.trust_1 + step.trust_2 - Real(2.0) * step.depth * determinants;  // times determinants
-  step.descends = (det > zero) & (trace_of_S >= -floor_value * trace_1 * trace_2 * (trace_1 + trace_2));
+  const Real noise = floor_value * trace_1 * trace_2 * (trace_1 + trace_2);
+  const Real telling = select(min(trace_1, trace_2) >= zero, trace_of_S + noise, trace(M));
+  step.descends = (det > zero) & (telling >= zero);
   if (any(!step.descends)) {
     M = variation(select(step.descends, step.depth, min(step.depth, zero)));
     det = max(determinant(M), Real(flat_limit * flat_limit));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -494,6 +495,19 @@ template <std::size_t N>
 Vec3 vector_at(const Columns<N>& columns, std::size_t first, std::size_t i) {
   return {columns[first][i], columns[first + 1][i], columns[first + 2][i]};
 }
+
+constexpr std::size_t first_shape = 12;
+
+/// Shape operator `which` of a row.
+Vec3 floats_at(const Columns<ContactCaches::width>& columns, std::size_t i, std::size_t which) {
+  Vec3 shape;
+  for (std::size_t k = 0; k < 3; ++k) {
+    float both[2];
+    std::memcpy(both, columns[first_shape + k] + i, sizeof both);
+    shape[static_cast<Eigen::Index>(k)] = static_cast<double>(both[which]);
+  }
+  return shape;
+}
 }  // namespace
 
 void ContactCaches::resize(std::size_t size) {
@@ -507,15 +521,19 @@ ContactCache ContactCaches::get(std::size_t i) const {
           vector_at(columns, 3, i),
           vector_at(columns, 6, i),
           vector_at(columns, 9, i),
-          vector_at(columns, 12, i),
-          vector_at(columns, 15, i)};
+          floats_at(columns, i, 0),
+          floats_at(columns, i, 1)};
 }
 
 void ContactCaches::set(std::size_t i, const ContactCache& cache) {
   states[i] = cache.state;
-  const Vec3* vectors[] = {&cache.point_1,  &cache.normal_1, &cache.point_2,
-                           &cache.normal_2, &cache.shape_1,  &cache.shape_2};
-  for (std::size_t k = 0; k < width; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
+  const Vec3* vectors[] = {&cache.point_1, &cache.normal_1, &cache.point_2, &cache.normal_2};
+  for (std::size_t k = 0; k < first_shape; ++k) columns[k][i] = (*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const float both[] = {static_cast<float>(cache.shape_1[axis]), static_cast<float>(cache.shape_2[axis])};
+    std::memcpy(columns[first_shape + k] + i, both, sizeof both);
+  }
 }
 
 void ContactColumns::resize(std::size_t size) {

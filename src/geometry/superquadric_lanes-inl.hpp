@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "core/float_pair-inl.hpp"
 #include "geometry/common_normal-inl.hpp"
 #include "osculate/geometry/superquadric_contacts.hpp"
 
@@ -261,11 +262,10 @@ HWY_INLINE TangentBasis<Real> basis_of_2(const Problem<Real>& problem, const V3<
 template <class Real>
 HWY_INLINE Cached<Real> read_cached(const Problem<Real>& problem, const Rows& rows) {
   const auto& columns = rows.tables.caches.columns;
-  const auto shape = [&](std::size_t k) HWY_ATTR {
-    const V3<Real> s = read3<Real>(columns, k, rows);
-    return Sym2<Real>{s.x, s.y, s.z};
-  };
-  const Sym2<Real> shape_1 = shape(12), shape_2 = shape(15);
+  Sym2<Real> shape_1, shape_2;
+  unpack_floats(read<Real>(columns, 12, rows), shape_1.pp, shape_2.pp);
+  unpack_floats(read<Real>(columns, 13, rows), shape_1.pq, shape_2.pq);
+  unpack_floats(read<Real>(columns, 14, rows), shape_1.qq, shape_2.qq);
   const auto& swapped = problem.swapped;
   const Touch<Real> touch = read_touch<Real>(problem, rows);
   const TangentBasis<Real> basis = tangent_basis(touch.normal_1);
@@ -299,6 +299,9 @@ HWY_INLINE void set_rows(Value value, MaskOfReal wanted, std::vector<Value>& val
   }
   for (std::uint64_t set = bits(wanted); set != 0; set &= set - 1) row[std::countr_zero(set)] = value;
 }
+
+/// [1/m] Floats hold it.
+constexpr double largest_kept_curvature = 1e37;
 
 /// Returns the lanes that were written: those wanted whose numbers are all finite.
 /// With Gap::skip a gap's points and normals serve as a proof of separation from now on.
@@ -359,13 +362,14 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   const V3<Real> normal_b = write_touch(problem, answer.touch, wanted, rows);
   // Where curvatures are unbounded they are no start.
   const auto finite = [&](const Sym2<Real>& shape) HWY_ATTR {
-    const MaskType<Real> usable = abs(shape.pp) + abs(shape.qq) < Real(1e300);
+    const MaskType<Real> usable = abs(shape.pp) + abs(shape.qq) < Real(largest_kept_curvature);
     return V3<Real>{select(usable, shape.pp, zero), select(usable, shape.pq, zero), select(usable, shape.qq, zero)};
   };
-  const V3<Real> kept_1 = finite(answer.shape_1);
-  const V3<Real> kept_2 = finite(turned(answer.shape_2, answer.basis, basis_of_2(problem, normal_b)));
-  write3(select(swapped, kept_2, kept_1), wanted, cache, 12, rows);
-  write3(select(swapped, kept_1, kept_2), wanted, cache, 15, rows);
+  const V3<Real> kept_a = finite(answer.shape_1);
+  const V3<Real> kept_b = finite(turned(answer.shape_2, answer.basis, basis_of_2(problem, normal_b)));
+  const V3<Real> kept_1 = select(swapped, kept_b, kept_a), kept_2 = select(swapped, kept_a, kept_b);
+  write3(V3<Real>{pack_floats(kept_1.x, kept_2.x), pack_floats(kept_1.y, kept_2.y), pack_floats(kept_1.z, kept_2.z)},
+         wanted, cache, 12, rows);
 
   const MaskType<Real> gap = answer.overlap < zero, flat = relative.min * problem.length < Real(flat_curvature);
   set_rows(ContactCache::State::contact, wanted, rows.tables.caches.states, rows);

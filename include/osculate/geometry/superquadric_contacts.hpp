@@ -49,9 +49,10 @@ struct SuperquadricPairs {
            const Pose& pose_2);
 };
 
-/// A ContactCache for every pair. Columns, three each: point 1, normal 1, point 2, normal 2, shape 1, shape 2.
+/// A ContactCache for every pair. Columns, three each: point 1, normal 1, point 2, normal 2, shape 1 and shape 2, which
+/// share theirs: they only predict a step, so that floats do, two in the room of a double.
 struct ContactCaches {
-  static constexpr std::size_t width = 18;
+  static constexpr std::size_t width = 15;
   std::vector<ContactCache::State> states;
   Columns<width> columns;
 
