@@ -8,6 +8,10 @@ function(osculate_options target)
     # g++ 12 warns about its own AVX-512 header (GCC bug 105593).
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
   endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # A mask of one lane is a bool; the same formulas combine masks of many.
+    target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
+  endif()
   # Highway compiles the batched kernels for AVX-512, AVX2 and the portable baseline and picks at run time; the targets
   # between these would only cost compile time. For one machine there is one target, and nothing to pick.
   if(OSCULATE_NATIVE)

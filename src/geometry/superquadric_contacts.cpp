@@ -134,7 +134,7 @@ HWY_INLINE V3<Real> axis_direction(const Problem<Real>& problem, int k) {
 constexpr int oblique_directions = 16;
 template <class Real>
 HWY_INLINE V3<Real> oblique_direction(const Problem<Real>& problem, int k) {
-  const auto side = [&](int bit, double size) { return Real((k >> bit & 1) == 0 ? size : -size); };
+  const auto side = [&](int bit, double size) HWY_ATTR { return Real((k >> bit & 1) == 0 ? size : -size); };
   const V3<Real> unit = normalised(V3<Real>{side(0, 0.5), side(1, 0.3), side(2, 0.8)});
   return k < 8 ? unit : problem.rotation.apply(unit);
 }
