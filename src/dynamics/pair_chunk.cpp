@@ -106,7 +106,7 @@ void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
 
 void drop_spare_room(PairChunk& chunk) {
   Contacts& contacts = chunk.contacts;
-  const std::size_t size = contacts.size(), room = size + size / law_lanes + 1;
+  const std::size_t size = contacts.size(), room = size + size / 16 + 1;
   const auto fit = [](auto& items, std::size_t count) {
     auto fitting = items;  // a copy is as long as what it copies
     fitting.reserve(count);

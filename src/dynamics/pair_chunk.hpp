@@ -130,7 +130,7 @@ void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, con
 /// What a contact remembers becomes another one's; its own is as if it were new.
 void move_memory(Contacts& contacts, std::size_t from, std::size_t to, const ContactLaw& law);
 
-/// Gives back memory that growing left over, but for an eighth.
+/// Gives back memory that growing left over, but for a sixteenth.
 void drop_spare_room(PairChunk& chunk);
 
 /// Removes a contact; the last one takes its place.

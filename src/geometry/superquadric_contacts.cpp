@@ -256,7 +256,7 @@ inline V3<double> v3(const Vec3& v) {
 void confirm(const Tables& tables, Index i) {
   constexpr int most_supports = 300, most_searches = 30;
   constexpr std::size_t most_others = 16;
-  constexpr double tolerance = 1e-6;    // minima closer than this in overlap are not told apart
+  constexpr double tolerance = 1e-5;    // minima closer than this in overlap are not told apart
   constexpr double same_normal = 0.98;  // cosine: faces nearer than this belong to the minimum itself
   const Rows rows{tables, i};
   const auto& contacts = tables.contacts;
@@ -276,8 +276,8 @@ void confirm(const Tables& tables, Index i) {
   };
   const V3<double> centre = -problem.centre_2;
   const auto arm = [&](const V3<double>& u) { return vec3(difference_point(u) - centre); };
-  PenetrationHull hull(vec3(centre), {arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})},
-                       problem.size_1 + problem.size_2);
+  const std::array<Vec3, 3> arms{arm({1.0, 0.0, 0.0}), arm({0.0, 1.0, 0.0}), arm({0.0, 0.0, 1.0})};
+  PenetrationHull hull(vec3(centre), arms, problem.size_1 + problem.size_2);
   /// Takes the minimum below a direction if it is lower, or as low and none was found. Returns whether it is one as
   /// low.
   int searches = 0;
@@ -318,10 +318,14 @@ void confirm(const Tables& tables, Index i) {
            std::all_of(elsewhere.begin(), elsewhere.end(),
                        [&](const V3<double>& other) { return dot(direction, other) < same_normal; });
   };
-  for (int k = 0; k < axis_directions; ++k)
-    if (const V3<double> axis = axis_direction(problem, k);
-        is_new(axis) && dot(difference_point(axis), axis) <= least + equal)
-      elsewhere.push_back(axis);
+  // The difference body is symmetric about its centre: both ways along an axis it reaches as far.
+  for (int k = 0; k < axis_directions; k += 2) {
+    const V3<double> axis = axis_direction(problem, k);
+    const Vec3 along = vec3(axis), reach = k < 6 ? arms[static_cast<std::size_t>(k / 2)] : arm(axis);
+    for (const double side : {1.0, -1.0})
+      if (reach.dot(along) + side * dot(centre, axis) <= least + equal && is_new(side * axis))
+        elsewhere.push_back(side * axis);
+  }
   for (const auto& face : hull.faces())
     if (face.offset <= least + equal && elsewhere.size() < most_others && is_new(v3(face.normal)))
       elsewhere.push_back(v3(face.normal));
