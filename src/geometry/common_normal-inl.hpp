@@ -119,8 +119,10 @@ HWY_INLINE V2<Real> solve_second_variation(const Mat2<Real>& sum, const Mat2<Rea
   const Real telling = select(min(trace_1, trace_2) >= zero, trace_of_S + noise, trace(M));
   step.descends = (det > zero) & (telling >= zero);
   if (any(!step.descends)) {
-    M = variation(select(step.descends, step.depth, min(step.depth, zero)));
-    det = max(determinant(M), Real(flat_limit * flat_limit));
+    // Lanes that descend keep their very numbers: compiled a second time, a formula may round otherwise.
+    const Mat2<Real> without = variation(min(step.depth, zero));
+    M = {select(step.descends, M.column_1, without.column_1), select(step.descends, M.column_2, without.column_2)};
+    det = select(step.descends, det, max(determinant(without), Real(flat_limit * flat_limit)));
   }
   return reciprocal(det) * (adjugate(M) * right);
 }
