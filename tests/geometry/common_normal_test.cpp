@@ -162,6 +162,39 @@ TEST_CASE("A cached direction proves separation again") {
   }
 }
 
+TEST_CASE("What a pair caches holds the curvatures of its contact, to the digits of floats") {
+  std::vector<Pair> pairs;
+  for (unsigned seed = 6; seed < 17; ++seed)
+    for (const Pair& pair : touching_pairs(seed)) {
+      const auto is_blunt = [](const Shape& shape) {
+        const auto* body = std::get_if<Superquadric>(&shape);
+        return body != nullptr && body->exponents.n2 >= 2.0;
+      };
+      if (is_blunt(pair.a.shape) && is_blunt(pair.b.shape)) pairs.push_back(pair);
+    }
+  SuperquadricPairs table;
+  table.resize(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    table.set(i, std::get<Superquadric>(pairs[i].a.shape), pairs[i].a.pose, std::get<Superquadric>(pairs[i].b.shape),
+              pairs[i].b.pose);
+  for (const auto& solve : {common_normals, common_normals_scalar}) {
+    ContactCaches caches;
+    ContactColumns contacts;
+    solve(table, caches, contacts, Gap::resolve, Curvatures::all);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const ContactCache cache = caches.get(i);
+      const ContactGeometry contact = contacts.get(i);
+      REQUIRE(cache.state == ContactCache::State::contact);
+      const auto check = [](const Vec3& shape, const PrincipalCurvatures& k) {
+        CHECK(shape.x() + shape.z() == Approx(k.max + k.min).epsilon(1e-6));
+        CHECK(shape.x() * shape.z() - shape.y() * shape.y() == Approx(k.max * k.min).margin(1e-6 * k.max * k.max));
+      };
+      check(cache.shape_1, contact.curvature_1);
+      check(cache.shape_2, contact.curvature_2);
+    }
+  }
+}
+
 TEST_CASE("In batches every pair has the answer it has alone") {
   std::vector<Pair> pairs = touching_pairs(6);
   for (const Pair& pair : touching_pairs(7)) pairs.push_back(pair);

@@ -38,18 +38,23 @@ std::vector<Vec3> lattice(int count) {
   return directions;
 }
 
-/// Beside the largest component, one below this has a square that vanishes: no digit of it can be relied on.
+/// Beside the largest component, one below this has a square that vanishes: it has no digits to keep when lengths
+/// scale.
 constexpr double without_digits = 1e-150;
 
-bool same_bits(const Vec3& a, const Vec3& b) {
+bool same_but_vanishing(const Vec3& a, const Vec3& b) {
   const double vanishing = without_digits * a.cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i)
     if (a[i] != b[i] && !(std::fabs(a[i]) < vanishing && std::fabs(b[i]) < vanishing)) return false;
   return true;
 }
 
-bool same_bits(const PrincipalCurvatures& a, const PrincipalCurvatures& b, double factor) {
-  return a.max == b.max * factor && a.min == b.min * factor && same_bits(a.max_direction, b.max_direction);
+bool same_bits(const PrincipalCurvatures& a, const PrincipalCurvatures& b) {
+  return a.max == b.max && a.min == b.min && a.max_direction == b.max_direction;
+}
+
+bool scaled_bits(const PrincipalCurvatures& a, const PrincipalCurvatures& b, double factor) {
+  return a.max == b.max * factor && a.min == b.min * factor && same_but_vanishing(a.max_direction, b.max_direction);
 }
 
 }  // namespace
@@ -115,16 +120,22 @@ double least_of_samples(const Pair& pair) {
 }
 
 bool is_exact_swap(const ContactGeometry& a, const ContactGeometry& b) {
-  return a.status == b.status && a.overlap == b.overlap && same_bits(a.normal, -b.normal) &&
-         same_bits(a.on_1, b.on_2) && same_bits(a.on_2, b.on_1) && same_bits(a.curvature_1, b.curvature_2, 1.0) &&
-         same_bits(a.curvature_2, b.curvature_1, 1.0) && a.relative.R_i == b.relative.R_i &&
-         a.relative.R_j == b.relative.R_j && same_bits(a.relative.major_axis, b.relative.major_axis);
+  return a.status == b.status && a.overlap == b.overlap && a.normal == -b.normal && a.on_1 == b.on_2 &&
+         a.on_2 == b.on_1 && same_bits(a.curvature_1, b.curvature_2) && same_bits(a.curvature_2, b.curvature_1) &&
+         a.relative.R_i == b.relative.R_i && a.relative.R_j == b.relative.R_j &&
+         a.relative.major_axis == b.relative.major_axis;
+}
+
+bool is_same(const ContactGeometry& a, const ContactGeometry& b) {
+  return a.status == b.status && a.overlap == b.overlap && a.normal == b.normal && a.on_1 == b.on_1 &&
+         a.on_2 == b.on_2 && same_bits(a.curvature_1, b.curvature_1) && same_bits(a.curvature_2, b.curvature_2) &&
+         a.relative.R_i == b.relative.R_i && a.relative.R_j == b.relative.R_j;
 }
 
 bool is_exact_scaling(const ContactGeometry& a, const ContactGeometry& b, double factor) {
-  return a.status == b.status && a.overlap * factor == b.overlap && same_bits(a.normal, b.normal) &&
-         same_bits(a.on_1 * factor, b.on_1) && same_bits(a.on_2 * factor, b.on_2) &&
-         same_bits(a.curvature_1, b.curvature_1, factor) && same_bits(a.curvature_2, b.curvature_2, factor) &&
+  return a.status == b.status && a.overlap * factor == b.overlap && same_but_vanishing(a.normal, b.normal) &&
+         same_but_vanishing(a.on_1 * factor, b.on_1) && same_but_vanishing(a.on_2 * factor, b.on_2) &&
+         scaled_bits(a.curvature_1, b.curvature_1, factor) && scaled_bits(a.curvature_2, b.curvature_2, factor) &&
          a.relative.R_i * factor == b.relative.R_i && a.relative.R_j * factor == b.relative.R_j;
 }
 

@@ -36,7 +36,11 @@ double overlap_in_double(const Pair& pair, const Vec3& normal);
 /// `b` is `a` seen with the bodies exchanged, to the last bit.
 bool is_exact_swap(const ContactGeometry& a, const ContactGeometry& b);
 
-/// `b` is `a` with all lengths multiplied by `factor`, a power of two, to the last bit.
+/// To the last bit.
+bool is_same(const ContactGeometry& a, const ContactGeometry& b);
+
+/// `b` is `a` with all lengths multiplied by `factor`, a power of two, to the last bit; but of vectors the components
+/// whose squares vanish beside the largest.
 bool is_exact_scaling(const ContactGeometry& a, const ContactGeometry& b, double factor);
 
 }  // namespace osculate::validation

@@ -214,7 +214,7 @@ void Study::examine(std::size_t first, std::size_t count) {
     }
     const ContactGeometry alone = one_contact.get(0);
     if (!is_finite(contact)) continue;
-    if (!is_exact_scaling(contact, alone, 1.0)) note(Trouble::neighbour, pair);
+    if (!is_same(contact, alone)) note(Trouble::neighbour, pair);
     if (!is_its_own_swap(pair) && !is_exact_swap(contact, there.get(i))) note(Trouble::swap, pair);
     if (survives_scaling(pair, power_of_two) && !is_exact_scaling(contact, shrunk.get(i), power_of_two))
       note(Trouble::scale, pair);
