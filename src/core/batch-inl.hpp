@@ -180,6 +180,12 @@ HWY_INLINE Batch floor(Batch a) {
 HWY_INLINE Batch copysign(Batch magnitude, Batch sign) {
   return Batch(hn::CopySign(magnitude.v, sign.v));
 }
+/// Whether a whole number from 0 to 2^52 − 1 has a bit, given as its power of two.
+HWY_INLINE Mask has_bit(Batch whole, std::int64_t bit) {
+  const IntTag di;
+  const auto bits = hn::BitCast(di, (whole + Batch(0x1p52)).v);  // its lowest bits are the number
+  return {hn::RebindMask(Tag(), hn::TestBit(bits, hn::Set(di, bit)))};
+}
 /// a·b + c, rounded once where the processor can.
 HWY_INLINE Batch fma(Batch a, Batch b, Batch c) {
   return Batch(hn::MulAdd(a.v, b.v, c.v));
@@ -287,6 +293,9 @@ HWY_INLINE double floor(double a) {
 }
 HWY_INLINE double copysign(double magnitude, double sign) {
   return std::copysign(magnitude, sign);
+}
+HWY_INLINE bool has_bit(double whole, std::int64_t bit) {
+  return (static_cast<std::int64_t>(whole) & bit) != 0;
 }
 HWY_INLINE double fma(double a, double b, double c) {
   return a * b + c;

@@ -214,23 +214,21 @@ template <class Real>
 HWY_NOINLINE Problem<Real> problem_of(const Rows& rows) {
   const Body<Real> given_1 = read_body<Real>(rows, 0);
   const Body<Real> given_2 = read_body<Real>(rows, SuperquadricPairs::per_body);
-  const MaskType<Real> swapped = precedes(given_2, given_1);
-  const Body<Real> one = select(swapped, given_2, given_1), two = select(swapped, given_1, given_2);
-  const Rotation<Real> frame = rotation_of(one.w, one.v);
-  const Real w = one.w * two.w + dot(one.v, two.v);
-  const V3<Real> v = one.w * two.v - two.w * one.v - cross(one.v, two.v);
+  Problem<Real> problem;
+  problem.swapped = precedes(given_2, given_1);
+  const Body<Real> one = select(problem.swapped, given_2, given_1), two = select(problem.swapped, given_1, given_2);
+  problem.frame = rotation_of(one.w, one.v);
+  problem.origin = one.position;
+  problem.body_1 = {one.half_axes, one.exponents.p, one.exponents.q};
+  problem.body_2 = {two.half_axes, two.exponents.p, two.exponents.q};
+  problem.rotation =
+      rotation_of(one.w * two.w + dot(one.v, two.v), one.w * two.v - two.w * one.v - cross(one.v, two.v));
+  problem.centre_2 = problem.frame.apply_inverse(two.position - one.position);
   const auto largest = [](const V3<Real>& axes) HWY_ATTR { return max(max(axes.x, axes.y), axes.z); };
-  const Real size_1 = largest(one.half_axes), size_2 = largest(two.half_axes);
-  return {swapped,
-          frame,
-          one.position,
-          {one.half_axes, one.exponents.p, one.exponents.q},
-          {two.half_axes, two.exponents.p, two.exponents.q},
-          rotation_of(w, v),
-          frame.apply_inverse(two.position - one.position),
-          size_1,
-          size_2,
-          min(size_1, size_2)};
+  problem.size_1 = largest(one.half_axes);
+  problem.size_2 = largest(two.half_axes);
+  problem.length = min(problem.size_1, problem.size_2);
+  return problem;
 }
 
 /// A cached contact, in the frame of the first body.

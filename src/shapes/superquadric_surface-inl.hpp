@@ -181,18 +181,13 @@ class MixedSurface {
 template <class Real>
 class WholePower {
  public:
-  HWY_INLINE explicit WholePower(const Real& power) {
-    Real rest = power;
-    while (any(rest > Real(0.0))) {
-      const Real half = floor(Real(0.5) * rest);
-      odd_[length_++] = half + half < rest;
-      rest = half;
-    }
+  HWY_INLINE explicit WholePower(const Real& power) : power_(power) {
+    for (Real rest = power; any(rest >= Real(1.0)); rest = Real(0.5) * rest) end_ *= 2;
   }
   HWY_INLINE Real operator()(const Real& t) const {
     Real result(1.0), base = t;
-    for (int i = 0; i < length_; ++i) {
-      result = select(odd_[i], result * base, result);
+    for (std::int64_t bit = 1; bit < end_; bit *= 2) {
+      result = select(has_bit(power_, bit), result * base, result);
       base = base * base;
     }
     return result;
@@ -200,8 +195,8 @@ class WholePower {
   static HWY_INLINE Real quotient(const Real& a) { return floor(a + Real(0.5)); }
 
  private:
-  int length_ = 0;
-  MaskType<Real> odd_[6];
+  Real power_;
+  std::int64_t end_ = 1;  ///< above the highest bit of any lane
 };
 
 /// t^power for any power; 0^0 = 1.
