@@ -170,14 +170,6 @@ HWY_INLINE V2<Real> coordinates(const TangentBasis<Real>& basis, const V3<Real>&
   return {dot(basis.e1, v), dot(basis.e2, v)};
 }
 
-/// A matrix of the plane `from` in the plane `to`, two bases of nearly one plane.
-template <class Real>
-HWY_INLINE Sym2<Real> turned(const Sym2<Real>& m, const TangentBasis<Real>& from, const TangentBasis<Real>& to) {
-  const V2<Real> row_1 = coordinates(from, to.e1), row_2 = coordinates(from, to.e2);
-  const V2<Real> m_1 = m * row_1, m_2 = m * row_2;
-  return {dot(row_1, m_1), dot(row_2, m_1), dot(row_2, m_2)};
-}
-
 template <class Real>
 HWY_INLINE Real determinant(const Sym2<Real>& m) {
   return fma(m.pp, m.qq, -(m.pq * m.pq));

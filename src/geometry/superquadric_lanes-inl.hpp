@@ -250,13 +250,8 @@ HWY_INLINE Touch<Real> read_touch(const Problem<Real>& problem, const Rows& rows
           problem.rotation.apply(select(swapped, normal_1, normal_2))};
 }
 
-/// Shape operators are kept in the tangent basis of the normal beside them, each in the frame of its body.
-template <class Real>
-HWY_INLINE TangentBasis<Real> basis_of_2(const Problem<Real>& problem, const V3<Real>& normal_in_2) {
-  const TangentBasis<Real> basis = tangent_basis(normal_in_2);
-  return {problem.rotation.apply(basis.e1), problem.rotation.apply(basis.e2)};
-}
-
+/// Shape operators are kept in the basis of the first normal: as the bodies turn about it, that of the second body is
+/// off by as little as the surfaces' curvatures vary on the way.
 template <class Real>
 HWY_INLINE Cached<Real> read_cached(const Problem<Real>& problem, const Rows& rows) {
   const auto& columns = rows.tables.caches.columns;
@@ -266,16 +261,13 @@ HWY_INLINE Cached<Real> read_cached(const Problem<Real>& problem, const Rows& ro
   unpack_floats(read<Real>(columns, 14, rows), shape_1.qq, shape_2.qq);
   const auto& swapped = problem.swapped;
   const Touch<Real> touch = read_touch<Real>(problem, rows);
-  const TangentBasis<Real> basis = tangent_basis(touch.normal_1);
-  const V3<Real> normal_in_2 = select(swapped, read3<Real>(columns, 3, rows), read3<Real>(columns, 9, rows));
-  return {touch, basis, select(swapped, shape_2, shape_1),
-          turned(select(swapped, shape_1, shape_2), basis_of_2(problem, normal_in_2), basis)};
+  return {touch, tangent_basis(touch.normal_1), select(swapped, shape_2, shape_1), select(swapped, shape_1, shape_2)};
 }
 
-/// Points and normals go into the cache, each in the frame of its body. Returns normal 2 in the frame of the second.
+/// Points and normals go into the cache, each in the frame of its body.
 template <class Real>
-HWY_INLINE V3<Real> write_touch(const Problem<Real>& problem, const Touch<Real>& touch, MaskType<Real> wanted,
-                                const Rows& rows) {
+HWY_INLINE void write_touch(const Problem<Real>& problem, const Touch<Real>& touch, MaskType<Real> wanted,
+                            const Rows& rows) {
   auto& columns = rows.tables.caches.columns;
   const auto& swapped = problem.swapped;
   const V3<Real> point_b = problem.rotation.apply_inverse(touch.point_2 - problem.centre_2);
@@ -284,7 +276,6 @@ HWY_INLINE V3<Real> write_touch(const Problem<Real>& problem, const Touch<Real>&
   write3(select(swapped, normal_b, touch.normal_1), wanted, columns, 3, rows);
   write3(select(swapped, touch.point_1, point_b), wanted, columns, 6, rows);
   write3(select(swapped, touch.normal_1, normal_b), wanted, columns, 9, rows);
-  return normal_b;
 }
 
 /// Gives the rows whose lane is wanted this value.
@@ -356,18 +347,16 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   write(one / relative.max, wanted, columns, 21, rows);
   write3(major_axis, wanted, columns, 22, rows);
 
-  auto& cache = rows.tables.caches.columns;
-  const V3<Real> normal_b = write_touch(problem, answer.touch, wanted, rows);
+  write_touch(problem, answer.touch, wanted, rows);
   // Where curvatures are unbounded they are no start.
   const auto finite = [&](const Sym2<Real>& shape) HWY_ATTR {
     const MaskType<Real> usable = abs(shape.pp) + abs(shape.qq) < Real(largest_kept_curvature);
     return V3<Real>{select(usable, shape.pp, zero), select(usable, shape.pq, zero), select(usable, shape.qq, zero)};
   };
-  const V3<Real> kept_a = finite(answer.shape_1);
-  const V3<Real> kept_b = finite(turned(answer.shape_2, answer.basis, basis_of_2(problem, normal_b)));
+  const V3<Real> kept_a = finite(answer.shape_1), kept_b = finite(answer.shape_2);
   const V3<Real> kept_1 = select(swapped, kept_b, kept_a), kept_2 = select(swapped, kept_a, kept_b);
   write3(V3<Real>{pack_floats(kept_1.x, kept_2.x), pack_floats(kept_1.y, kept_2.y), pack_floats(kept_1.z, kept_2.z)},
-         wanted, cache, 12, rows);
+         wanted, rows.tables.caches.columns, 12, rows);
 
   const MaskType<Real> gap = answer.overlap < zero, flat = relative.min * problem.length < Real(flat_curvature);
   set_rows(ContactCache::State::contact, wanted, rows.tables.caches.states, rows);
