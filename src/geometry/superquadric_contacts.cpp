@@ -258,6 +258,7 @@ void confirm(const Tables& tables, Index i) {
   constexpr std::size_t most_others = 16;
   constexpr double tolerance = 1e-5;    // minima closer than this in overlap are not told apart
   constexpr double same_normal = 0.98;  // cosine: faces nearer than this belong to the minimum itself
+  constexpr double same_image = 1.0 - 1e-12;
   const Rows rows{tables, i};
   const auto& contacts = tables.contacts;
   const auto problem = problem_of<double>(rows);
@@ -310,6 +311,19 @@ void confirm(const Tables& tables, Index i) {
     const V3<double> direction = v3(face->normal), support_point = difference_point(direction);
     if (dot(support_point, direction) < least - equal) search(direction);
     hull.expand(*face, vec3(support_point));
+  }
+  // Where tips or rims meet there are several minima, nearly mirror images about the planes of symmetry of a body.
+  const V3<double> one_of_them = normal;
+  for (int k = 1; k < 8; ++k) {
+    const auto mirrored = [&](const V3<double>& n) {
+      return V3<double>{(k & 1) != 0 ? -n.x : n.x, (k & 2) != 0 ? -n.y : n.y, (k & 4) != 0 ? -n.z : n.z};
+    };
+    const auto& rotation = problem.rotation;
+    for (const V3<double>& direction :
+         {mirrored(one_of_them), rotation.apply(mirrored(rotation.apply_inverse(one_of_them)))})
+      if (dot(difference_point(direction), direction) < (1.0 + tolerance) * least &&
+          dot(direction, one_of_them) < same_image)
+        search(direction);
   }
   // Faces as low as the minimum, elsewhere: one more minimum as good?
   std::vector<V3<double>> elsewhere;
