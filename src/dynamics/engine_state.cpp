@@ -176,7 +176,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
   Next totals("chunks.totals", all.totals);
   list.chunks.clear();
   for (const Header& header : all.headers) {
-    if (header.law >= world.setup.interactions.size() || header.narrow_phase > 2)
+    if (header.law >= world.setup.interactions.size() || header.narrow_phase >= narrow_phases)
       throw InputError("state", "pairs of another setup", "the setup that the state was made with");
     const ContactLaw& law = world.setup.interactions[header.law].law;
     PairChunk& chunk = list.chunks.emplace_back();

@@ -13,7 +13,8 @@
 namespace osculate {
 
 /// Which narrow phase a pair goes through.
-enum class NarrowPhase : std::int32_t { superquadrics, any_shapes, faces };
+enum class NarrowPhase : std::int32_t { superquadrics, any_shapes, faces, planes };
+constexpr std::uint64_t narrow_phases = 4;
 
 /// What a pair is: chunks hold pairs of one group.
 struct PairGroup {

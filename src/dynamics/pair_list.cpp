@@ -105,6 +105,14 @@ Candidate make_candidate(const PairGroup& group, const BodyPair& pair, const std
   return {group, earlier, later, pair};
 }
 
+NarrowPhase narrow_phase_of(const BodyShape& one, const BodyShape& two) {
+  if (one.is_face() || two.is_face()) return NarrowPhase::faces;
+  const auto is_plane = [](const BodyShape& shape) { return std::holds_alternative<HalfSpace>(shape.shape); };
+  const bool first = is_superquadric(one.shape), second = is_superquadric(two.shape);
+  if (first && second) return NarrowPhase::superquadrics;
+  return (first && is_plane(two)) || (is_plane(one) && second) ? NarrowPhase::planes : NarrowPhase::any_shapes;
+}
+
 std::vector<Candidate> candidates(const World& world, const Bodies& bodies, const std::vector<std::uint32_t>& rank) {
   const double reach = world.reach.empty() ? 0.0 : *std::max_element(world.reach.begin(), world.reach.end());
   std::vector<Ball> balls;
@@ -138,12 +146,7 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
   for (const BodyPair& pair : pairs) {
     const Index one = index_of(pair.first), two = index_of(pair.second);
     if (!bodies.is_free(one) && !bodies.is_free(two)) continue;
-    const bool fast =
-        is_superquadric(shape_of(world, bodies, one).shape) && is_superquadric(shape_of(world, bodies, two).shape);
-    const bool with_face = is_face(pair.first) || is_face(pair.second);
-    const PairGroup group{fast        ? NarrowPhase::superquadrics
-                          : with_face ? NarrowPhase::faces
-                                      : NarrowPhase::any_shapes,
+    const PairGroup group{narrow_phase_of(shape_of(world, bodies, one), shape_of(world, bodies, two)),
                           world.law_between(bodies.material[one], bodies.material[two])};
     found.push_back(make_candidate(group, pair, rank));
   }

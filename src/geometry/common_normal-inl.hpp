@@ -408,6 +408,16 @@ HWY_INLINE Start<Real> predict(const Pair& pair, const Touch<Real>& last, const 
 
 /// Below this (curvature times length) a number only stands for the zero curvature in the middle of a face.
 constexpr double vanishing_curvature = 1e-30;
+/// The principal curvatures of a convex body: those below `vanishing`, where directions are those of underflowing
+/// squares, are none.
+template <class Real>
+HWY_INLINE Eigen2<Real> convex(const Eigen2<Real>& curvature, const Real& vanishing) {
+  const Real zero(0.0), one(1.0);
+  const MaskType<Real> flat = curvature.max < vanishing;
+  return {select(flat, zero, curvature.max),
+          select(curvature.min < vanishing, zero, curvature.min),
+          {select(flat, one, curvature.direction.p), select(flat, zero, curvature.direction.q)}};
+}
 /// A surface that is flatter than this (curvature times length) leaves the contact point to round-off.
 constexpr double flat_curvature = 1e-9;
 

@@ -306,15 +306,8 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   const V3<Real> point_2 = frame.apply(answer.touch.point_2) + problem.origin;
   const auto in_world = [&](const V2<Real>& t) HWY_ATTR { return frame.apply(lift(answer.basis, t)); };
   const Real vanishing = Real(vanishing_curvature) * reciprocal(problem.length);
-  const auto convex = [&](const Sym2<Real>& shape) HWY_ATTR {
-    Eigen2<Real> curvature = eigen(shape);
-    const MaskType<Real> flat = curvature.max < vanishing;  // where directions are those of underflowing squares
-    curvature.direction = {select(flat, one, curvature.direction.p), select(flat, zero, curvature.direction.q)};
-    curvature.max = select(flat, zero, curvature.max);
-    curvature.min = select(curvature.min < vanishing, zero, curvature.min);
-    return curvature;
-  };
-  const Eigen2<Real> relative = convex(answer.shape_1 + answer.shape_2);
+  const auto principal = [&](const Sym2<Real>& shape) HWY_ATTR { return convex(eigen(shape), vanishing); };
+  const Eigen2<Real> relative = principal(answer.shape_1 + answer.shape_2);
   const V3<Real> major_axis = in_world({-relative.direction.q, relative.direction.p});
   // A sum is finite if all its terms are.
   const V3<Real> all = normal + point_1 + point_2 + major_axis;
@@ -323,7 +316,7 @@ HWY_NOINLINE MaskType<Real> write_answer(const Problem<Real>& problem, const Ans
   V3<Real> axis_1 = major_axis, axis_2 = major_axis;
   const bool of_bodies = rows.tables.curvatures == Curvatures::all;
   if (of_bodies) {
-    first = convex(answer.shape_1), second = convex(answer.shape_2);
+    first = principal(answer.shape_1), second = principal(answer.shape_2);
     axis_1 = in_world(first.direction), axis_2 = in_world(second.direction);
     const V3<Real> axes = axis_1 + axis_2;
     sum = sum + axes.x + axes.y + axes.z;

@@ -1,4 +1,5 @@
 // Particles against walls: what the template solver polishes is found from the particle's support points.
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -7,6 +8,7 @@
 #include <hwy/foreach_target.h>
 // The target list above comes first.
 #include "geometry/pair_lanes-inl.hpp"
+#include "osculate/geometry/plane_contacts.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -458,8 +460,10 @@ template <class Kind>
 void solve_group(WallKind wall, const std::vector<PairJob*>& group, Gap gap) {
   switch (wall) {
     case half_space:
-      return in_batches(
-          group, [&](const Jobs& jobs, auto real) { solve_plane<typename decltype(real)::type, Kind>(jobs, gap); });
+      if constexpr (std::is_same_v<Kind, ImplicitParticle>)
+        in_batches(group,
+                   [&](const Jobs& jobs, auto real) { solve_plane<typename decltype(real)::type, Kind>(jobs, gap); });
+      return;
     case rod:
       return solve_rods<Kind>(group, gap);
     case drum:
@@ -491,8 +495,33 @@ namespace osculate {
 
 HWY_EXPORT(wall_pairs);
 
+namespace {
+void solve_superquadrics_on_planes(std::span<PairJob> jobs, Gap gap) {
+  SuperquadricPairs pairs;
+  ContactColumns contacts;
+  pairs.resize(jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    pairs.set(i, superquadric_of(*jobs[i].shape_1), jobs[i].pose_1, half_space_numbers, jobs[i].pose_2);
+  plane_contacts(pairs, contacts);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto& [shape_1, pose_1, shape_2, pose_2, cache, contact] = jobs[i];
+    *contact = contacts.get(i);
+    const bool skipped = gap == Gap::skip && contact->overlap < 0.0;
+    *cache = {.state = skipped ? ContactCache::State::separation : ContactCache::State::contact,
+              .point_1 = pose_1.to_body(contact->on_1),
+              .normal_1 = pose_1.rotate_to_body(contact->normal),
+              .point_2 = pose_2.to_body(contact->on_2),
+              .normal_2 = pose_2.rotate_to_body(-contact->normal)};
+  }
+}
+}  // namespace
+
 void solve_wall_pairs(std::span<PairJob> jobs, Gap gap) {
-  HWY_DYNAMIC_DISPATCH(wall_pairs)(jobs, gap);
+  const auto rest = std::partition(jobs.begin(), jobs.end(), [](const PairJob& job) {
+    return pair_kind(*job.shape_1) == PairKind::superquadrics && std::holds_alternative<HalfSpace>(*job.shape_2);
+  });
+  solve_superquadrics_on_planes({jobs.begin(), rest}, gap);
+  HWY_DYNAMIC_DISPATCH(wall_pairs)({rest, jobs.end()}, gap);
 }
 
 }  // namespace osculate
