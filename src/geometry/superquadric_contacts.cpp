@@ -258,7 +258,7 @@ void confirm(const Tables& tables, Index i) {
   constexpr std::size_t most_others = 16;
   constexpr double tolerance = 1e-5;    // minima closer than this in overlap are not told apart
   constexpr double same_normal = 0.98;  // cosine: faces nearer than this belong to the minimum itself
-  constexpr double same_image = 1.0 - 1e-12;
+  constexpr double same_image = 1.0 - 1e-12, same_basin = 1.0 - 1e-4;
   const Rows rows{tables, i};
   const auto& contacts = tables.contacts;
   const auto problem = problem_of<double>(rows);
@@ -325,6 +325,13 @@ void confirm(const Tables& tables, Index i) {
           dot(direction, one_of_them) < same_image)
         search(direction);
   }
+  // Of the faces as low as the minimum the furthest from it may belong to a neighbour that is hardly lower.
+  const PenetrationHull::Face* furthest = nullptr;
+  for (const auto& face : hull.faces())
+    if (face.offset <= least && dot(v3(face.normal), normal) > same_normal &&
+        (furthest == nullptr || dot(v3(face.normal), normal) < dot(v3(furthest->normal), normal)))
+      furthest = &face;
+  if (furthest != nullptr && dot(v3(furthest->normal), normal) < same_basin) search(v3(furthest->normal));
   // Faces as low as the minimum, elsewhere: one more minimum as good?
   std::vector<V3<double>> elsewhere;
   const auto is_new = [&](const V3<double>& direction) {
