@@ -199,14 +199,14 @@ void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches
   if (chunk_.group.narrow_phase == NarrowPhase::faces) return solve_faces(pairs, solved.geometry);
   find_images(pairs, solved.images);
   const Columns<3>& shift = solved.images.shift;
-  const bool planes = chunk_.group.narrow_phase == NarrowPhase::planes;
-  if (planes || chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
+  const bool on_planes = chunk_.group.narrow_phase == NarrowPhase::planes;
+  if (on_planes || chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
     fill_pairs(records(pairs), solved.superquadrics);
     for (Index k = 0; k < 3; ++k) {
       double* x = solved.superquadrics.columns[SuperquadricPairs::per_body + 5 + k];
       for (Index row = 0; row < shift.size(); ++row) x[row] += shift[k][row];
     }
-    if (planes) return plane_contacts(solved.superquadrics, solved.geometry);
+    if (on_planes) return plane_contacts(solved.superquadrics, solved.geometry);
     return common_normals(solved.superquadrics, caches, solved.geometry, gap, Curvatures::relative);
   }
   solved.shapes.resize(pairs.size());

@@ -18,7 +18,7 @@ struct PlanePairs {
   V3<Batch> centre;
   Rotation<Batch> frame;  ///< of the particle → world
   V3<Batch> on_plane, outward;
-  Mask plane_first;
+  Mask plane_first, is_with_plane;
 
   HWY_INLINE PlanePairs(const SuperquadricPairs& pairs, std::size_t start, std::size_t count) {
     constexpr std::size_t second = SuperquadricPairs::per_body;
@@ -35,6 +35,7 @@ struct PlanePairs {
     on_plane = {of_plane(5), of_plane(6), of_plane(7)};
     outward = rotation_of(of_plane(8), V3<Batch>{of_plane(9), of_plane(10), of_plane(11)}).column_z;
     plane_first = swapped;
+    is_with_plane = of_plane(0) == Batch(0.0);
   }
 
  private:
@@ -62,10 +63,10 @@ void on_planes(const SuperquadricPairs& pairs, ContactColumns& contacts) {
                     major_axis = cross(of.outward, sharpest);
     const V3<Batch> sum_3 = on_particle + on_plane + of.outward + sharpest;
     const Batch sum = sum_3.x + sum_3.y + sum_3.z + overlap + curvature.max;
-    const Mask finite = sum - sum == zero;
+    const Mask found = (sum - sum == zero) & of.is_with_plane;
 
     const auto put = [&](std::size_t k, const Batch& value)
-                         HWY_ATTR { store(select(finite, value, zero), contacts.columns[k] + start, count); };
+                         HWY_ATTR { store(select(found, value, zero), contacts.columns[k] + start, count); };
     const auto put_3 = [&](std::size_t k, const V3<Batch>& v) HWY_ATTR {
       put(k, v.x);
       put(k + 1, v.y);
@@ -86,7 +87,7 @@ void on_planes(const SuperquadricPairs& pairs, ContactColumns& contacts) {
     put(20, one / curvature.min);
     put(21, one / curvature.max);
     put_3(22, major_axis);
-    const std::uint64_t resolved = bits(finite), apart = bits(overlap < zero),
+    const std::uint64_t resolved = bits(found), apart = bits(overlap < zero),
                         flat = bits(curvature.min * size < Batch(flat_curvature));
     for (std::size_t i = 0; i < count; ++i) {
       const auto in = [&](std::uint64_t set) { return (set >> i & 1U) != 0; };

@@ -460,6 +460,7 @@ template <class Kind>
 void solve_group(WallKind wall, const std::vector<PairJob*>& group, Gap gap) {
   switch (wall) {
     case half_space:
+      // Superquadrics on planes have been solved in closed form.
       if constexpr (std::is_same_v<Kind, ImplicitParticle>)
         in_batches(group,
                    [&](const Jobs& jobs, auto real) { solve_plane<typename decltype(real)::type, Kind>(jobs, gap); });

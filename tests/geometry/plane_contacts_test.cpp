@@ -90,3 +90,16 @@ TEST_CASE("A pose that is not finite makes its own contact with a plane degenera
   CHECK(contacts.statuses[1] == ContactStatus::flat);
   CHECK(contacts.get(1).overlap == Approx(0.1e-3));
 }
+
+TEST_CASE("Two superquadrics, or two half-spaces, are no contact with a plane") {
+  SuperquadricPairs pairs;
+  pairs.resize(2);
+  pairs.set(0, blocky, above(0.5e-3), blocky, tilted);
+  pairs.set(1, half_space_numbers, above(0.5e-3), half_space_numbers, tilted);
+  const ContactColumns contacts = contacts_of(pairs);
+  for (const std::size_t i : {0U, 1U}) {
+    CHECK(contacts.statuses[i] == ContactStatus::degenerate);
+    CHECK(contacts.get(i).overlap == 0.0);
+    CHECK(contacts.get(i).normal == Vec3::Zero());
+  }
+}
