@@ -42,8 +42,7 @@ d = {:.2f} mm the diameter of the sphere of equal volume. Grains at rest overlap
 {}
 {}
 The exponent depends on the k that one takes: with another one of 1 to 2 the law itself has {:g} to {:g} here.
-Values of k that are commonly quoted are mostly those of flat bottoms. Along a steep wedge grains slide down flat on its
-plates; that may leave less of the slot unused, and so a smaller k.
+Values of k that are commonly quoted are mostly those of flat bottoms.
 
 )";
 
