@@ -64,8 +64,8 @@ TEST_CASE("Random pairs with sharp rims get a right answer or an honest status")
   check_answers(result);
 }
 
-// Tips of n = 1.05 on one another have minima that differ by 1e-9 of the overlap or are too flat for Newton's method; how
-// many of 6318 are met depends on round-off.
+// Tips of n = 1.05 on one another have minima that differ by 1e-9 of the overlap or are too flat for Newton's method;
+// how many of 6318 are met depends on round-off.
 TEST_CASE("Nasty poses get a right answer or an honest status") {
   const RobustnessResult result = stress(nasty_run());
   std::size_t wrong = 0;
