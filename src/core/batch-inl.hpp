@@ -327,6 +327,15 @@ HWY_INLINE void store(Batch value, double* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) to[i] = padded[i];
 }
 
+/// Calls work(start, count) for one batch of rows after another. The count is a constant where all lanes are used.
+template <class Work>
+HWY_INLINE void for_batches(std::size_t size, const Work& work) {
+  constexpr std::size_t width = lanes<Batch>();
+  std::size_t start = 0;
+  for (; start + width <= size; start += width) work(start, std::integral_constant<std::size_t, width>());
+  if (start < size) work(start, size - start);
+}
+
 /// Stores the lanes that the mask selects; memory of the others keeps its values. They are read and written back: a
 /// masked store takes ten times as long on processors whose vectors have four doubles.
 HWY_INLINE void store(double value, bool wanted, double* to) {

@@ -1,7 +1,5 @@
 #include "dynamics/chunk_forces.hpp"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -27,13 +25,6 @@ Index index_of(std::int32_t i) {
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// The contacts will want it soon, in another order.
-void prefetch(const BodyRecord& record) {
-  constexpr Index line = 64;
-  for (Index offset = 0; offset < sizeof record; offset += line)
-    hwy::Prefetch(reinterpret_cast<const char*>(&record) + offset);
 }
 
 void report(PairChunk& chunk, Fault fault, const BodyPair& pair, double overlap) {
@@ -171,10 +162,7 @@ void ChunkStep::hand_over() {
 void ChunkStep::find_awake() {
   scratch_.awake.clear();
   scratch_.travel.clear();
-  for (const std::int32_t body : chunk_.bodies) {
-    scratch_.travel.push_back(kinematics_.travel[index_of(body)]);
-    prefetch(kinematics_.records[index_of(body)]);
-  }
+  for (const std::int32_t body : chunk_.bodies) scratch_.travel.push_back(kinematics_.travel[index_of(body)]);
   for (Index k = 0; k < chunk_.far.size(); ++k) {
     const FarPair& far = chunk_.far[k];
     if (scratch_.travel[far.bodies.first] + scratch_.travel[far.bodies.second] >= far.quiet_until)
@@ -201,7 +189,7 @@ void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches
   const Columns<3>& shift = solved.images.shift;
   const bool on_planes = chunk_.group.narrow_phase == NarrowPhase::planes;
   if (on_planes || chunk_.group.narrow_phase == NarrowPhase::superquadrics) {
-    fill_pairs(records(pairs), solved.superquadrics);
+    fill_pairs(records(pairs), solved.superquadrics, scratch_.ahead);
     for (Index k = 0; k < 3; ++k) {
       double* x = solved.superquadrics.columns[SuperquadricPairs::per_body + 5 + k];
       for (Index row = 0; row < shift.size(); ++row) x[row] += shift[k][row];
@@ -391,7 +379,7 @@ void ChunkStep::apply_law() {
   if (contacts.size() == 0) return;
   spread_constants();
   describe_motion(records(contacts.bodies), scratch_.contacts.images, scratch_.constants.radius_cap, law_.needs(),
-                  scratch_.contacts.geometry, scratch_.arms, scratch_.motion);
+                  scratch_.contacts.geometry, scratch_.arms, scratch_.motion, scratch_.ahead);
   call_law();
   check_contacts();
   const LawSums sums = collect({.geometry = scratch_.contacts.geometry,
@@ -401,7 +389,7 @@ void ChunkStep::apply_law() {
                                 .time_step = kinematics_.time_step,
                                 .has_couples = law_.makes_couples(),
                                 .has_springs = reach_ == 0.0},
-                               scratch_.constants.reduced_mass, contacts.spring, scratch_.torques);
+                               scratch_.constants.reduced_mass, contacts.spring, scratch_.torques, scratch_.ahead);
   report_extremes(sums);
   chunk_.viscous_loss += sums.viscous_loss;
   chunk_.friction_loss += sums.friction_loss;
@@ -414,10 +402,29 @@ void ChunkStep::apply_law() {
   open_contacts();
 }
 
+/// What a step reads and writes of a chunk.
+void list_for(ReadAhead& ahead, const PairChunk& chunk, const Kinematics& kinematics) {
+  const Contacts& contacts = chunk.contacts;
+  ahead.add(contacts.caches.states);
+  for (Index k = 0; k < ContactCaches::width; ++k) ahead.add(contacts.caches.columns[k], contacts.size());
+  for (const std::int32_t body : chunk.bodies) ahead.add(&kinematics.records[index_of(body)], 1);
+  ahead.add(contacts.bodies);
+  ahead.add(contacts.memory);
+  ahead.add(contacts.kind);
+  ahead.add(contacts.spring);
+  ahead.add(contacts.force);
+  ahead.add(chunk.far);
+  ahead.add(chunk.wrenches);
+}
+
 }  // namespace
 
-void evaluate(PairChunk& chunk, const World& world, const Bodies& bodies, const Kinematics& kinematics,
-              ChunkScratch& scratch) {
+void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const Bodies& bodies,
+              const Kinematics& kinematics, ChunkScratch& scratch) {
+  scratch.ahead.clear();
+  if (next != nullptr) list_for(scratch.ahead, *next, kinematics);
+  constexpr Index passes = 3, batch = 4;  // over the contacts, and how many are taken at once
+  scratch.ahead.spread_over(passes * chunk.contacts.size() / batch);
   const auto begin = std::chrono::steady_clock::now();
   ChunkStep step(chunk, world, bodies, kinematics, scratch);
   step.watch_far();

@@ -36,12 +36,14 @@ struct ChunkScratch {
   Columns<of_answer::columns> answer;
   Columns<of_torques::columns> torques;
   std::vector<LawStatus> status;
+  ReadAhead ahead;
   double narrow_seconds = 0.0, law_seconds = 0.0;  // these add up
 };
 
 /// Contacts, forces and memories of a chunk. Trouble is said in chunk.fault.
-void evaluate(PairChunk& chunk, const World& world, const Bodies& bodies, const Kinematics& kinematics,
-              ChunkScratch& scratch);
+/// @param next  the chunk that follows, or null: it is fetched meanwhile
+void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const Bodies& bodies,
+              const Kinematics& kinematics, ChunkScratch& scratch);
 
 /// The geometry of a chunk's contacts, from their caches. Points are near body 1.
 ContactColumns geometry_of(const PairChunk& chunk, const World& world, const Bodies& bodies,

@@ -55,18 +55,19 @@ HWY_INLINE void store_vector(const V3<Batch>& v, Columns<N>& columns, std::size_
   store(v.z, columns[first + 2] + start, count);
 }
 
-void fill(const PairRecords& of, SuperquadricPairs& pairs) {
+void fill(const PairRecords& of, SuperquadricPairs& pairs, ReadAhead& ahead) {
   constexpr std::size_t each = SuperquadricPairs::per_body;
-  for (std::size_t start = 0; start < of.pairs.size(); start += width) {
-    const std::size_t count = std::min(width, of.pairs.size() - start);
-    std::size_t column = 0;
-    for (auto body : {&LocalPair::first, &LocalPair::second}) {
+  for_batches(of.pairs.size(), [&](std::size_t start, auto count) HWY_ATTR {
+    ahead.proceed();
+    const auto put = [&](std::uint16_t LocalPair::*body, std::size_t first) HWY_ATTR {
       const RecordColumns record(of, start, count, body);
       Batch columns[each + width];
       for (std::size_t k = 0; k < each; k += width) record.read(k, columns + k);
-      for (std::size_t k = 0; k < each; ++k) store(columns[k], pairs.columns[column++] + start, count);
-    }
-  }
+      for (std::size_t k = 0; k < each; ++k) store(columns[k], pairs.columns[first + k] + start, count);
+    };
+    put(&LocalPair::first, 0);
+    put(&LocalPair::second, each);
+  });
 }
 
 /// What describe_motion reads of a record.
@@ -95,11 +96,11 @@ HWY_INLINE V3<Batch> image_velocity(const ImageShifts& images, std::size_t start
 
 void describe(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
               const LawNeeds& needs, ContactColumns& found, Columns<of_arms::columns>& arms,
-              Columns<of_motion::columns>& motion) {
+              Columns<of_motion::columns>& motion, ReadAhead& ahead) {
   const Batch zero(0.0), half(0.5);
   auto& columns = found.columns;
-  for (std::size_t start = 0; start < of.pairs.size(); start += width) {
-    const std::size_t count = std::min(width, of.pairs.size() - start);
+  for_batches(of.pairs.size(), [&](std::size_t start, auto count) HWY_ATTR {
+    ahead.proceed();
     const BodyMotion one(RecordColumns(of, start, count, &LocalPair::first));
     const BodyMotion two(RecordColumns(of, start, count, &LocalPair::second));
     const Batch cap = load<Batch>(&radius_cap[start], count);
@@ -132,7 +133,7 @@ void describe(const PairRecords& of, const ImageShifts& images, const std::vecto
     if (needs.angular_velocity) put(two.mean_angular_velocity - one.mean_angular_velocity, of_motion::angular);
     if (needs.mean_angular_velocity)
       put(half * (two.mean_angular_velocity + one.mean_angular_velocity), of_motion::mean_angular);
-  }
+  });
 }
 
 /// Springs of one batch. Lanes beyond the last one repeat it.
@@ -209,15 +210,14 @@ void correct_edges(const LawAnswer& law, std::size_t start, std::uint64_t rows) 
 }
 
 LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                    Columns<of_torques::columns>& torques) {
+                    Columns<of_torques::columns>& torques, ReadAhead& ahead) {
   const Batch zero(0.0), dt(law.time_step);
   const auto& found = law.geometry.columns;
   auto& out = law.answer;
   Batch viscous(0.0), friction(0.0), hysteresis(0.0), normal(0.0), tangential(0.0), gain(0.0), stiffest(0.0),
       deepest(0.0);
-  const std::size_t size = out.size();
-  for (std::size_t start = 0; start < size; start += width) {
-    const std::size_t count = std::min(width, size - start);
+  for_batches(out.size(), [&](std::size_t start, auto count) HWY_ATTR {
+    ahead.proceed();
     const Mask real{hn::FirstN(Tag(), count)};
     const auto column = [&](std::size_t k) HWY_ATTR { return load<Batch>(out[k] + start, count); };
     const auto add = [&](Batch& sum, Batch value) HWY_ATTR { sum += select(real, value, zero); };
@@ -246,11 +246,11 @@ LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mas
     add(tangential, column(of_answer::stored_tangential));
     stiffest = max(stiffest, stiffness / load<Batch>(&reduced_mass[start], count));
     deepest = max(deepest, overlap);
-    if (!law.has_springs) continue;
+    if (!law.has_springs) return;
     SpringLanes spring = SpringLanes::read(&springs[start], count);
     add(gain, curvature_gain(spring, overlap, stored, stiffness));
     spring.write(&springs[start], count);
-  }
+  });
   return {.viscous_loss = sum_of(viscous),
           .friction_loss = sum_of(friction),
           .hysteresis_loss = sum_of(hysteresis),
@@ -271,23 +271,23 @@ HWY_EXPORT(fill);
 HWY_EXPORT(describe);
 HWY_EXPORT(collect_all);
 
-void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs) {
+void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs, ReadAhead& ahead) {
   pairs.resize(of.pairs.size());
-  HWY_DYNAMIC_DISPATCH(fill)(of, pairs);
+  HWY_DYNAMIC_DISPATCH(fill)(of, pairs, ahead);
 }
 
 void describe_motion(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
                      const LawNeeds& needs, ContactColumns& geometry, Columns<of_arms::columns>& arms,
-                     Columns<of_motion::columns>& motion) {
+                     Columns<of_motion::columns>& motion, ReadAhead& ahead) {
   arms.resize(of.pairs.size());
   motion.resize(of.pairs.size());
-  HWY_DYNAMIC_DISPATCH(describe)(of, images, radius_cap, needs, geometry, arms, motion);
+  HWY_DYNAMIC_DISPATCH(describe)(of, images, radius_cap, needs, geometry, arms, motion, ahead);
 }
 
 LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                Columns<of_torques::columns>& torques) {
+                Columns<of_torques::columns>& torques, ReadAhead& ahead) {
   torques.resize(law.answer.size());
-  return HWY_DYNAMIC_DISPATCH(collect_all)(law, reduced_mass, springs, torques);
+  return HWY_DYNAMIC_DISPATCH(collect_all)(law, reduced_mass, springs, torques, ahead);
 }
 
 }  // namespace osculate

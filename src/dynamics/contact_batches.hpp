@@ -9,6 +9,7 @@
 
 #include "dynamics/kinematics.hpp"
 #include "dynamics/pair_chunk.hpp"
+#include "dynamics/read_ahead.hpp"
 
 namespace osculate {
 
@@ -64,8 +65,10 @@ namespace of_torques {
 enum : std::size_t { on_1 = 0, on_2 = 3, columns = 6 };  ///< about the centroids [N m]
 }
 
+// Each goes on reading ahead with every batch.
+
 /// Shapes and poses of the pairs as the narrow phase wants them; nothing is repeated in space.
-void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs);
+void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs, ReadAhead& ahead);
 
 /// Arms and relative motion at the contacts; radii of curvature are held below their caps. Velocities are those of the
 /// step in the contact plane and of its end along the normal. A gap that was proved but not resolved has neither points
@@ -73,7 +76,7 @@ void fill_pairs(const PairRecords& of, SuperquadricPairs& pairs);
 /// @param needs   angular velocities that are not needed are left alone
 void describe_motion(const PairRecords& of, const ImageShifts& images, const std::vector<double>& radius_cap,
                      const LawNeeds& needs, ContactColumns& geometry, Columns<of_arms::columns>& arms,
-                     Columns<of_motion::columns>& motion);
+                     Columns<of_motion::columns>& motion, ReadAhead& ahead);
 
 /// A chunk's contacts as the law left them.
 struct LawAnswer {
@@ -99,6 +102,6 @@ struct LawSums {
 
 /// Corrects the force where a contact begins or ends (contact_edge.hpp), finds the torques and adds up.
 LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                Columns<of_torques::columns>& torques);
+                Columns<of_torques::columns>& torques, ReadAhead& ahead);
 
 }  // namespace osculate

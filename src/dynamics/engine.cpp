@@ -69,6 +69,8 @@ void Simulation::Engine::make_room() {
     if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
   for (const double one : world_.reach) reach = std::max(reach, one);
   flow_reach_ = 2.0 * (largest + world_.skin) + reach;
+  const auto reserve = [&](auto&... items) { (items.reserve(bodies_.size()), ...); };
+  reserve(kinematics_.records, kinematics_.travel, step_travel_, listed_at_, radius_);
   for (std::size_t i = 0; i < bodies_.size(); ++i) make_room_for(i);
 }
 
@@ -252,14 +254,15 @@ void Simulation::Engine::rebuild() {
 
 void Simulation::Engine::evaluate_pairs() {
   threads_.for_blocks(pairs_.chunks.size(), 1, [&](std::size_t begin, std::size_t) {
-    evaluate(pairs_.chunks[begin], world_, bodies_, kinematics_, scratch_[Threads::current()]);
+    const PairChunk* next = begin + 1 < pairs_.chunks.size() ? &pairs_.chunks[begin + 1] : nullptr;
+    evaluate(pairs_.chunks[begin], next, world_, bodies_, kinematics_, scratch_[Threads::current()]);
   });
   for (const PairChunk& chunk : pairs_.chunks)
     if (chunk.fault != Fault::none) stop_at(chunk);
 }
 
 void Simulation::Engine::gather(double kick_time) {
-  constexpr std::size_t ahead = 8;  // a body's wrenches lie scattered: they are fetched while others are added up
+  constexpr std::size_t ahead = 24;  // a body's wrenches lie scattered: they are fetched while others are added up
   threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (i + ahead < bodies_.size())

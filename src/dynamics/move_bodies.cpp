@@ -81,8 +81,8 @@ void move(const MoveStep& step, std::size_t begin, std::size_t end, Bodies& bodi
           const double* radius, double* way_of) {
   const Batch dt(step.time_step), half(0.5 * step.time_step);
   const V3<Batch> gravity{Batch(step.gravity.x()), Batch(step.gravity.y()), Batch(step.gravity.z())};
-  for (std::size_t start = begin; start < end; start += width) {
-    const std::size_t count = std::min(width, end - start);
+  for_batches(end - begin, [&](std::size_t row, auto count) HWY_ATTR {
+    const std::size_t start = begin + row;
     const QuatOf<Batch> before = read(&bodies.orientation[start], count);
     const Batch inverse_mass = Batch(1.0) / load<Batch>(&bodies.mass[start], count);
     const V3<Batch> inverse_inertia = inverse(read(&bodies.inertia[start], count));
@@ -104,7 +104,7 @@ void move(const MoveStep& step, std::size_t begin, std::size_t end, Bodies& bodi
     write(turn.momentum, &bodies.angular_momentum[start], count);
     write_records({now, velocity, turn.mean_velocity, velocity + kick, last}, &bodies.position[start], count,
                   &kinematics.records[start]);
-  }
+  });
 }
 
 }  // namespace HWY_NAMESPACE

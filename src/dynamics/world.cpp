@@ -242,6 +242,9 @@ void append_body(const World& world, const BodyStart& start, const std::string& 
 
 Bodies make_bodies(const World& world) {
   Bodies bodies;
+  const auto reserve = [&](auto&... items) { (items.reserve(world.starts.size()), ...); };
+  reserve(bodies.shape, bodies.material, bodies.motion, bodies.position, bodies.orientation, bodies.velocity,
+          bodies.angular_momentum, bodies.force, bodies.torque, bodies.mass, bodies.inertia);
   for (const BodyStart& start : world.starts)
     append_body(world, start, "body " + std::to_string(bodies.size()), bodies);
   return bodies;

@@ -99,9 +99,7 @@ void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, d
   const Batch zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
   const Batch time_step(input.time_step);
   const V3<Batch> none{zero, zero, zero};
-  const std::size_t size = input.R_i.size();
-  for (std::size_t start = 0; start < size; start += lanes<Batch>()) {
-    const std::size_t count = std::min(lanes<Batch>(), size - start);
+  for_batches(input.R_i.size(), [&](std::size_t start, auto count) HWY_ATTR {
     const Batch R_i = load<Batch>(&input.R_i[start], count), R_j = load<Batch>(&input.R_j[start], count);
     const Batch depth = load<Batch>(&input.overlap[start], count);
     const V3<Batch> normal = load(input.normal, start, count), major = load(input.major_axis, start, count);
@@ -164,7 +162,7 @@ void spring_contacts(const spring_contacts::Pair& pair, const LawInput& input, d
                                  : (in_contact >> i & 1) == 0 ? LawStatus::open
                                  : (oversized >> i & 1) != 0  ? LawStatus::large_contact
                                                               : LawStatus::closed;
-  }
+  });
 }
 
 }  // namespace HWY_NAMESPACE
