@@ -102,7 +102,6 @@ class ChunkStep {
   void call_law();
   void check_contacts();
   void report_extremes(const LawSums& sums);
-  void add_forces();
   void open_contacts();
 
   PairChunk& chunk_;
@@ -337,27 +336,6 @@ void ChunkStep::report_extremes(const LawSums& sums) {
   }
 }
 
-void ChunkStep::add_forces() {
-  Contacts& contacts = chunk_.contacts;
-  const ImageShifts& images = scratch_.contacts.images;
-  const auto vector_at = [](const auto& columns, Index first, Index i) {
-    return Vec3(columns[first][i], columns[first + 1][i], columns[first + 2][i]);
-  };
-  for (Index i = 0; i < contacts.size(); ++i) {
-    const LocalPair& pair = contacts.bodies[i];
-    const Vec3 force = vector_at(scratch_.answer, of_answer::force, i);
-    contacts.force[i] = force;
-    Wrench &on_1 = chunk_.wrenches[pair.first], &on_2 = chunk_.wrenches[pair.second];
-    if (images.flow) chunk_.image_power += force.dot(images.velocity(i));
-    on_1.force += force;
-    on_2.force -= force;
-    on_1.torque += vector_at(scratch_.torques, of_torques::on_1, i);
-    on_2.torque += vector_at(scratch_.torques, of_torques::on_2, i);
-  }
-  for (Index i = 0; i < contacts.couple.size(); ++i)
-    contacts.couple[i] = vector_at(scratch_.answer, of_answer::couple, i);
-}
-
 void ChunkStep::open_contacts() {
   constexpr double safety = 1e-9;
   Contacts& contacts = chunk_.contacts;
@@ -374,7 +352,7 @@ void ChunkStep::open_contacts() {
 
 void ChunkStep::apply_law() {
   chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = chunk_.image_power = 0.0;
-  std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench{Vec3::Zero(), Vec3::Zero()});
+  std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench());
   Contacts& contacts = chunk_.contacts;
   if (contacts.size() == 0) return;
   spread_constants();
@@ -389,7 +367,13 @@ void ChunkStep::apply_law() {
                                 .time_step = kinematics_.time_step,
                                 .has_couples = law_.makes_couples(),
                                 .has_springs = reach_ == 0.0},
-                               scratch_.constants.reduced_mass, contacts.spring, scratch_.torques, scratch_.ahead);
+                               scratch_.constants.reduced_mass,
+                               {.springs = contacts.spring,
+                                .force = contacts.force,
+                                .couple = contacts.couple,
+                                .pairs = contacts.bodies,
+                                .wrenches = chunk_.wrenches},
+                               scratch_.ahead);
   report_extremes(sums);
   chunk_.viscous_loss += sums.viscous_loss;
   chunk_.friction_loss += sums.friction_loss;
@@ -398,7 +382,8 @@ void ChunkStep::apply_law() {
   chunk_.stored_normal = sums.stored_normal;
   chunk_.stored_tangential = sums.stored_tangential;
   chunk_.stiffest = sums.stiffest;
-  add_forces();
+  if (const ImageShifts& images = scratch_.contacts.images; images.flow)
+    for (Index i = 0; i < contacts.size(); ++i) chunk_.image_power += contacts.force[i].dot(images.velocity(i));
   open_contacts();
 }
 

@@ -34,7 +34,6 @@ struct ChunkScratch {
   Columns<of_arms::columns> arms;
   Columns<of_motion::columns> motion;
   Columns<of_answer::columns> answer;
-  Columns<of_torques::columns> torques;
   std::vector<LawStatus> status;
   ReadAhead ahead;
   double narrow_seconds = 0.0, law_seconds = 0.0;  // these add up

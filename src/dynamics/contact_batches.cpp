@@ -11,6 +11,8 @@
 // The target list above comes first.
 #include "core/transpose-inl.hpp"
 #include "core/vector-inl.hpp"
+#include "dynamics/vector_rows-inl.hpp"
+#include "dynamics/wrench_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -209,8 +211,8 @@ void correct_edges(const LawAnswer& law, std::size_t start, std::uint64_t rows) 
   }
 }
 
-LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                    Columns<of_torques::columns>& torques, ReadAhead& ahead) {
+LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mass, const LawEffects& effects,
+                    ReadAhead& ahead) {
   const Batch zero(0.0), dt(law.time_step);
   const auto& found = law.geometry.columns;
   auto& out = law.answer;
@@ -235,9 +237,15 @@ LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mas
       const V3<Batch> couple = load_vector(out, of_answer::couple, start, count);
       on_1 = on_1 + couple;
       on_2 = on_2 - couple;
+      write(couple, &effects.couple[start], count);
     }
-    store_vector(on_1, torques, of_torques::on_1, start, count);
-    store_vector(on_2, torques, of_torques::on_2, start, count);
+    write(force, &effects.force[start], count);
+    const WrenchRows first({force, on_1}), second({-force, on_2});
+    for (std::size_t i = 0; i < count; ++i) {
+      const LocalPair& pair = effects.pairs[start + i];
+      first.add_to(effects.wrenches[pair.first], i);
+      second.add_to(effects.wrenches[pair.second], i);
+    }
 
     add(viscous, column(of_answer::viscous_loss));
     add(friction, column(of_answer::friction_loss));
@@ -247,9 +255,9 @@ LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mas
     stiffest = max(stiffest, stiffness / load<Batch>(&reduced_mass[start], count));
     deepest = max(deepest, overlap);
     if (!law.has_springs) return;
-    SpringLanes spring = SpringLanes::read(&springs[start], count);
+    SpringLanes spring = SpringLanes::read(&effects.springs[start], count);
     add(gain, curvature_gain(spring, overlap, stored, stiffness));
-    spring.write(&springs[start], count);
+    spring.write(&effects.springs[start], count);
   });
   return {.viscous_loss = sum_of(viscous),
           .friction_loss = sum_of(friction),
@@ -284,10 +292,9 @@ void describe_motion(const PairRecords& of, const ImageShifts& images, const std
   HWY_DYNAMIC_DISPATCH(describe)(of, images, radius_cap, needs, geometry, arms, motion, ahead);
 }
 
-LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                Columns<of_torques::columns>& torques, ReadAhead& ahead) {
-  torques.resize(law.answer.size());
-  return HWY_DYNAMIC_DISPATCH(collect_all)(law, reduced_mass, springs, torques, ahead);
+LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, const LawEffects& effects,
+                ReadAhead& ahead) {
+  return HWY_DYNAMIC_DISPATCH(collect_all)(law, reduced_mass, effects, ahead);
 }
 
 }  // namespace osculate

@@ -37,7 +37,7 @@ struct ImageShifts {
   }
 };
 
-/// Columns of ContactColumns, of the motion, of the law's answer and of the wrenches.
+/// Columns of ContactColumns, of the motion, of the law's answer and of the arms.
 namespace of_geometry {
 enum : std::size_t { normal = 0, overlap = 3, on_1 = 4, on_2 = 7, R_i = 20, R_j = 21, major_axis = 22 };
 }
@@ -60,9 +60,6 @@ enum : std::size_t {
 }
 namespace of_arms {
 enum : std::size_t { arm_1 = 0, arm_2 = 3, columns = 6 };  ///< from the centroids to the contact point [m]
-}
-namespace of_torques {
-enum : std::size_t { on_1 = 0, on_2 = 3, columns = 6 };  ///< about the centroids [N m]
 }
 
 // Each goes on reading ahead with every batch.
@@ -88,6 +85,14 @@ struct LawAnswer {
   bool has_couples, has_springs;
 };
 
+/// What becomes of it.
+struct LawEffects {
+  std::vector<NormalSpring>& springs;
+  std::vector<Vec3>&force, &couple;  ///< of each contact; couples only if the law has some
+  std::span<const LocalPair> pairs;
+  std::vector<Wrench>& wrenches;  ///< on the chunk's bodies
+};
+
 /// Sums over contacts.
 struct LawSums {
   double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0;  ///< in the step [J]
@@ -100,8 +105,9 @@ struct LawSums {
   double deepest = 0.0;   ///< largest overlap [m]
 };
 
-/// Corrects the force where a contact begins or ends (contact_edge.hpp), finds the torques and adds up.
-LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, std::vector<NormalSpring>& springs,
-                Columns<of_torques::columns>& torques, ReadAhead& ahead);
+/// Corrects the force where a contact begins or ends (contact_edge.hpp), adds forces and torques to the bodies' wrenches
+/// and adds up the rest.
+LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, const LawEffects& effects,
+                ReadAhead& ahead);
 
 }  // namespace osculate

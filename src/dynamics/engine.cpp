@@ -1,7 +1,5 @@
 #include "dynamics/engine.hpp"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "dynamics/driven_travel.hpp"
 #include "dynamics/fault_text.hpp"
+#include "dynamics/kick_bodies.hpp"
 #include "dynamics/move_bodies.hpp"
 #include "dynamics/pouring.hpp"
 
@@ -262,33 +261,10 @@ void Simulation::Engine::evaluate_pairs() {
 }
 
 void Simulation::Engine::gather(double kick_time) {
-  constexpr std::size_t ahead = 24;  // a body's wrenches lie scattered: they are fetched while others are added up
+  const Kick kick{.time = kick_time, .gravity = world_.setup.gravity};
   threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i + ahead < bodies_.size())
-        for (std::uint64_t k = pairs_.first[i + ahead]; k < pairs_.first[i + ahead + 1]; ++k)
-          hwy::Prefetch(&wrench_at(pairs_.incidences[k]));
-      gather_body(i, kick_time);
-    }
+    kick_bodies(kick, begin, end, pairs_, bodies_);
   });
-}
-
-const Wrench& Simulation::Engine::wrench_at(const Incidence& incidence) const {
-  return pairs_.chunks[incidence.chunk].wrenches[incidence.place];
-}
-
-void Simulation::Engine::gather_body(std::size_t i, double kick_time) {
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  for (std::uint64_t k = pairs_.first[i]; k < pairs_.first[i + 1]; ++k) {
-    const Wrench& wrench = wrench_at(pairs_.incidences[k]);
-    force += wrench.force;
-    torque += wrench.torque;
-  }
-  bodies_.force[i] = force;
-  bodies_.torque[i] = torque;
-  if (!bodies_.is_free(i)) return;
-  bodies_.velocity[i] += kick_time * (force / bodies_.mass[i] + world_.setup.gravity);
-  bodies_.angular_momentum[i] += kick_time * (bodies_.orientation[i].conjugate() * torque);
 }
 
 std::string Simulation::Engine::when() const {

@@ -49,8 +49,6 @@ class Simulation::Engine {
   Vec3 flow_at(const Vec3& position) const;
   double flow_way(double time) const;
   void gather(double kick_time);
-  void gather_body(std::size_t i, double kick_time);
-  const Wrench& wrench_at(const Incidence& incidence) const;
   bool list_is_stale() const;
   [[noreturn]] void stop_at(const PairChunk& chunk) const;
   std::string when() const;

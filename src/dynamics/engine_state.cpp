@@ -199,7 +199,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
         throw InputError("state", "body " + std::to_string(body), "indices below " + std::to_string(body_count));
       chunk.bodies.push_back(body);
     }
-    chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
+    chunk.wrenches.assign(chunk.bodies.size(), Wrench());
     for (std::uint64_t i = 0; i < header.far; ++i) {
       chunk.far.push_back({narrow(far(), chunk), static_cast<float>(far_quiet())});
       chunk.far_caches.push_back(far_cache_of(far_cache()));

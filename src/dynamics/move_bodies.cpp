@@ -8,52 +8,13 @@
 #include <hwy/foreach_target.h>
 // The target list above comes first.
 #include "core/transpose-inl.hpp"
-#include "dynamics/rigid_rotation-inl.hpp"
+#include "dynamics/vector_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t width = lanes<Batch>();
-
-/// Up to one batch of rows of N doubles each, to be read as whole batches: those beyond the last one repeat it.
-template <std::size_t N>
-class PaddedRows {
- public:
-  HWY_INLINE PaddedRows(const double* first, std::size_t count) : rows_(first) {
-    if (count >= width) return;
-    for (std::size_t i = 0; i < width; ++i) std::copy_n(first + N * std::min(i, count - 1), N, padded_ + N * i);
-    rows_ = padded_;
-  }
-  HWY_INLINE const double* get() const { return rows_; }
-
- private:
-  const double* rows_;
-  HWY_ALIGN double padded_[N * width];
-};
-
-HWY_INLINE V3<Batch> read(const Vec3* from, std::size_t count) {
-  V3<Batch> v;
-  hn::LoadInterleaved3(Tag(), PaddedRows<3>(from->data(), count).get(), v.x.v, v.y.v, v.z.v);
-  return v;
-}
-HWY_INLINE QuatOf<Batch> read(const Quat* from, std::size_t count) {
-  QuatOf<Batch> q;
-  hn::LoadInterleaved4(Tag(), PaddedRows<4>(from->coeffs().data(), count).get(), q.v.x.v, q.v.y.v, q.v.z.v, q.w.v);
-  return q;
-}
-HWY_INLINE void write(const V3<Batch>& v, Vec3* to, std::size_t count) {
-  if (count == width) return hn::StoreInterleaved3(v.x.v, v.y.v, v.z.v, Tag(), to->data());
-  HWY_ALIGN double rows[3 * width];
-  hn::StoreInterleaved3(v.x.v, v.y.v, v.z.v, Tag(), rows);
-  std::copy_n(rows, 3 * count, to->data());
-}
-HWY_INLINE void write(const QuatOf<Batch>& q, Quat* to, std::size_t count) {
-  if (count == width) return hn::StoreInterleaved4(q.v.x.v, q.v.y.v, q.v.z.v, q.w.v, Tag(), to->coeffs().data());
-  HWY_ALIGN double rows[4 * width];
-  hn::StoreInterleaved4(q.v.x.v, q.v.y.v, q.v.z.v, q.w.v, Tag(), rows);
-  std::copy_n(rows, 4 * count, to->coeffs().data());
-}
 
 /// What a record takes from a step beside the position, in its order.
 struct MovedColumns {

@@ -91,10 +91,10 @@ struct Contacts {
   std::size_t size() const { return bodies.size(); }
 };
 
-/// Force and torque on a body by the contacts of one chunk.
-struct Wrench {
-  Vec3 force;   ///< [N]
-  Vec3 torque;  ///< about the centroid [N m]
+/// Force and torque on a body by the contacts of one chunk: a line of the cache.
+struct alignas(64) Wrench {
+  /// x, y, z of the force [N] and a zero, x, y, z of the torque about the centroid [N m] and a zero.
+  std::array<double, 8> numbers{};
 };
 
 struct PairChunk {

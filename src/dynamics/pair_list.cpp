@@ -237,7 +237,7 @@ PairChunk make_chunk(std::span<const Candidate> pairs, const std::vector<Place>&
       chunk.far_caches.push_back(cache);
     }
   }
-  chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
+  chunk.wrenches.assign(chunk.bodies.size(), Wrench());
   drop_spare_room(chunk);
   return chunk;
 }
