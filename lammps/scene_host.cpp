@@ -32,7 +32,7 @@ Extent extent_of(const World& world) {
   Extent extent;
   for (const BodyStart& body : setup.bodies) {
     if (body.motion != Bodies::free) continue;
-    const double room = world.shapes[static_cast<std::size_t>(body.shape)].bounding_radius + world.skin;
+    const double room = world.shapes[static_cast<std::size_t>(body.shape)].bounding_radius + 2.0 * world.least_skin;
     extent.lower = extent.lower.cwiseMin(body.pose.position - Vec3::Constant(room));
     extent.upper = extent.upper.cwiseMax(body.pose.position + Vec3::Constant(room));
   }
@@ -65,7 +65,7 @@ void make_box(LAMMPS_NS::LAMMPS& lmp, const World& world, std::size_t types) {
           fmt::format("region box block {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} units box", extent.lower.x(),
                       extent.upper.x(), extent.lower.y(), extent.upper.y(), extent.lower.z(), extent.upper.z()));
   command(lmp, fmt::format("create_box {} box", types));
-  command(lmp, fmt::format("neighbor {:.17g} bin", world.skin));
+  command(lmp, fmt::format("neighbor {:.17g} bin", 2.0 * world.least_skin));
   command(lmp, "neigh_modify every 1 delay 0 check yes");
 }
 

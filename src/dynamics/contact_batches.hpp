@@ -105,8 +105,8 @@ struct LawSums {
   double deepest = 0.0;   ///< largest overlap [m]
 };
 
-/// Corrects the force where a contact begins or ends (contact_edge.hpp), adds forces and torques to the bodies' wrenches
-/// and adds up the rest.
+/// Corrects the force where a contact begins or ends (contact_edge.hpp), adds forces and torques to the bodies'
+/// wrenches and adds up the rest.
 LawSums collect(const LawAnswer& law, const std::vector<double>& reduced_mass, const LawEffects& effects,
                 ReadAhead& ahead);
 

@@ -63,13 +63,8 @@ Simulation::Engine::Engine(const Setup& setup)
 void Simulation::Engine::make_room() {
   poured_.resize(world_.setup.pours.size());
   scratch_.resize(static_cast<std::size_t>(threads_.count()));
-  double largest = 0.0, reach = 0.0;
-  for (const BodyShape& shape : world_.shapes)
-    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
-  for (const double one : world_.reach) reach = std::max(reach, one);
-  flow_reach_ = 2.0 * (largest + world_.skin) + reach;
   const auto reserve = [&](auto&... items) { (items.reserve(bodies_.size()), ...); };
-  reserve(kinematics_.records, kinematics_.travel, step_travel_, listed_at_, radius_);
+  reserve(kinematics_.records, kinematics_.travel, kinematics_.skin, step_travel_, listed_at_, radius_);
   for (std::size_t i = 0; i < bodies_.size(); ++i) make_room_for(i);
 }
 
@@ -80,6 +75,7 @@ void Simulation::Engine::make_room_for(std::size_t body) {
   std::copy(numbers.begin(), numbers.end(), record.placed.begin());
   record.place(bodies_.position[body], bodies_.orientation[body]);
   kinematics_.travel.push_back(0.0);
+  kinematics_.skin.push_back(world_.least_skin);
   step_travel_.push_back(0.0);
   listed_at_.push_back(bodies_.position[body]);
   radius_.push_back(shape.bounding_radius);
@@ -145,21 +141,48 @@ double Simulation::Engine::flow_way(double time) const {
   return world_.box.shear ? std::fabs(world_.box.shear->rate) * flow_reach_ * time : 0.0;
 }
 
-/// Spheres around bodies were listed with a skin between them. What turns in its sphere does not matter.
+/// Spheres around bodies were listed with their skins. What turns in its sphere does not matter.
 bool Simulation::Engine::list_is_stale() const {
   const double elapsed = static_cast<double>(steps_ - listed_step_) * world_.setup.time_step;
-  const double most = 0.5 * (world_.skin - flow_way(elapsed));
-  if (!(most > 0.0)) return true;
-  double furthest = 0.0;
+  const double in_flow = 0.5 * flow_way(elapsed);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_.is_free(i)) continue;
     Vec3 way = bodies_.position[i] - listed_at_[i];
     if (world_.box.shear) way -= elapsed * flow_at(listed_at_[i]);
-    furthest = std::max(furthest, way.squaredNorm());
+    const double most = kinematics_.skin[i] - in_flow;
+    if (!(most > 0.0) || way.squaredNorm() > most * most) return true;
   }
-  if (furthest > most * most) return true;
-  return std::any_of(driven_.begin(), driven_.end(),
-                     [&](const Driven& driven) { return kinematics_.travel[driven.body] > most; });
+  return std::any_of(driven_.begin(), driven_.end(), [&](const Driven& driven) {
+    return kinematics_.travel[driven.body] > kinematics_.skin[driven.body] - in_flow;
+  });
+}
+
+/// Skins that make lists and looks at pairs that do not touch cost least together: as many steps to the next list as a
+/// typical body's speed makes worth while, and for each body the way it will have gone by then.
+void Simulation::Engine::choose_skins() {
+  constexpr double listing_cost = 100.0;  // of a body in a new list, over that of a step's look at a far pair
+  constexpr double crowding = 14.0;       // far pairs that a skin of a radius adds to a body, in a dense bed
+  constexpr double most_steps = 1000.0, spare = 1.25;
+  const double dt = world_.setup.time_step;
+  const auto speed = [&](std::size_t i) { return (bodies_.velocity[i] - flow_at(bodies_.position[i])).norm(); };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_.is_free(i)) sum += dt * speed(i) / radius_[i];
+  const double mean = sum / static_cast<double>(bodies_.size() - driven_.size());  // a share of the radius in a step
+  const double steps = std::min(most_steps, std::sqrt(listing_cost / (crowding * mean)));
+  const double of_flow = 0.5 * flow_way(steps * dt);
+  double most = world_.least_skin, largest = 0.0, reach = 0.0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const bool is_free = bodies_.is_free(i);
+    const double way = is_free ? dt * speed(i) : step_travel_[i];
+    const double cap = is_free ? std::min(radius_[i], world_.most_skin) : world_.most_skin;
+    kinematics_.skin[i] = std::max(world_.least_skin, std::min(spare * steps * way + of_flow, cap));
+    most = std::max(most, kinematics_.skin[i]);
+  }
+  for (const BodyShape& shape : world_.shapes)
+    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
+  for (const double one : world_.reach) reach = std::max(reach, one);
+  flow_reach_ = 2.0 * (largest + most) + reach;
 }
 
 void Simulation::Engine::move() {
@@ -244,7 +267,9 @@ void Simulation::Engine::rebuild() {
   double largest = 0.0;
   for (const BodyShape& shape : world_.shapes)
     if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
-  extent_ = 0.5 * (upper - lower).norm() + largest + world_.skin;
+  choose_skins();
+  extent_ =
+      0.5 * (upper - lower).norm() + largest + *std::max_element(kinematics_.skin.begin(), kinematics_.skin.end());
   pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
@@ -262,9 +287,8 @@ void Simulation::Engine::evaluate_pairs() {
 
 void Simulation::Engine::gather(double kick_time) {
   const Kick kick{.time = kick_time, .gravity = world_.setup.gravity};
-  threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
-    kick_bodies(kick, begin, end, pairs_, bodies_);
-  });
+  threads_.for_blocks(bodies_.size(), body_block,
+                      [&](std::size_t begin, std::size_t end) { kick_bodies(kick, begin, end, pairs_, bodies_); });
 }
 
 std::string Simulation::Engine::when() const {

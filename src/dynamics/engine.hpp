@@ -50,6 +50,7 @@ class Simulation::Engine {
   double flow_way(double time) const;
   void gather(double kick_time);
   bool list_is_stale() const;
+  void choose_skins();
   [[noreturn]] void stop_at(const PairChunk& chunk) const;
   std::string when() const;
 

@@ -243,7 +243,9 @@ void Simulation::Engine::visit_state(Self& self, Visitor& visitor) {
   visitor.template array<double>("bodies.force", self.bodies_.force);
   visitor.template array<double>("bodies.torque", self.bodies_.torque);
   visitor.template array<double>("bodies.travel", self.kinematics_.travel);
+  visitor.template array<double>("bodies.skin", self.kinematics_.skin);
   visitor.value("extent", self.extent_);
+  visitor.value("flow_reach", self.flow_reach_);
   visitor.value("centre.x", self.centre_.x());
   visitor.value("centre.y", self.centre_.y());
   visitor.value("centre.z", self.centre_.z());
@@ -304,9 +306,9 @@ Simulation::Engine::Engine(const Setup& setup, const State& state)
   const std::size_t count = bodies_.size();
   visit_state(*this, reader);
   world_.box = at_time(setup.box, time());
-  for (const std::size_t size :
-       {bodies_.position.size(), bodies_.orientation.size(), bodies_.velocity.size(), bodies_.angular_momentum.size(),
-        bodies_.force.size(), bodies_.torque.size(), kinematics_.travel.size(), listed_at_.size()})
+  for (const std::size_t size : {bodies_.position.size(), bodies_.orientation.size(), bodies_.velocity.size(),
+                                 bodies_.angular_momentum.size(), bodies_.force.size(), bodies_.torque.size(),
+                                 kinematics_.travel.size(), kinematics_.skin.size(), listed_at_.size()})
     if (size != count)
       throw InputError("state", std::to_string(size) + " bodies", std::to_string(count) + " as in the setup");
   for (std::size_t i = 0; i < count; ++i) kinematics_.records[i].place(bodies_.position[i], bodies_.orientation[i]);
@@ -336,8 +338,8 @@ std::size_t Simulation::Engine::memory_bytes() const {
                     bytes(bodies_.position) + bytes(bodies_.orientation) + bytes(bodies_.velocity) +
                     bytes(bodies_.angular_momentum) + bytes(bodies_.force) + bytes(bodies_.torque) +
                     bytes(bodies_.mass) + bytes(bodies_.inertia) + bytes(kinematics_.records) +
-                    bytes(kinematics_.travel) + bytes(step_travel_) + bytes(listed_at_) + bytes(pairs_.first) +
-                    bytes(pairs_.incidences) + bytes(pairs_.chunks);
+                    bytes(kinematics_.travel) + bytes(kinematics_.skin) + bytes(radius_) + bytes(step_travel_) +
+                    bytes(listed_at_) + bytes(pairs_.first) + bytes(pairs_.incidences) + bytes(pairs_.chunks);
   for (const PairChunk& chunk : pairs_.chunks)
     sum += bytes(chunk.far) + bytes(chunk.far_caches) + bytes(chunk.bodies) + bytes(chunk.wrenches);
   return sum;

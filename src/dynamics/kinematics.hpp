@@ -31,6 +31,8 @@ struct Kinematics {
   std::vector<BodyRecord> records;
   /// A bound of the way of any point of the body since the list of pairs was made [m].
   std::vector<double> travel;
+  /// How far each body may go before the pairs are listed anew [m].
+  std::vector<double> skin;
   double time_step = 0.0;  ///< [s]; 0 when forces are evaluated for the first time
 };
 

@@ -113,7 +113,8 @@ NarrowPhase narrow_phase_of(const BodyShape& one, const BodyShape& two) {
   return (first && is_plane(two)) || (is_plane(one) && second) ? NarrowPhase::planes : NarrowPhase::any_shapes;
 }
 
-std::vector<Candidate> candidates(const World& world, const Bodies& bodies, const std::vector<std::uint32_t>& rank) {
+std::vector<Candidate> candidates(const World& world, const Bodies& bodies, const std::vector<double>& skin,
+                                  const std::vector<std::uint32_t>& rank) {
   const double reach = world.reach.empty() ? 0.0 : *std::max_element(world.reach.begin(), world.reach.end());
   std::vector<Ball> balls;
   std::vector<std::int32_t> ball_of, walls;
@@ -122,7 +123,7 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
     const double radius = shape.bounding_radius;
     if (std::isfinite(radius)) {
       balls.push_back({shape.is_face() ? bodies.pose(i).to_world(shape.centre) : bodies.position[i],
-                       radius + 0.5 * (world.skin + reach)});
+                       radius + skin[i] + 0.5 * reach});
       ball_of.push_back(static_cast<std::int32_t>(i));
     } else {
       walls.push_back(static_cast<std::int32_t>(i));
@@ -130,16 +131,18 @@ std::vector<Candidate> candidates(const World& world, const Bodies& bodies, cons
   }
   std::vector<BodyPair> pairs = touching_balls(balls, world.box);
   for (BodyPair& pair : pairs) pair = {ball_of[index_of(pair.first)], ball_of[index_of(pair.second)]};
+  const auto is_near = [&](std::int32_t one, std::int32_t two) {
+    const Index i = index_of(one), j = index_of(two);
+    return sphere_gap(world, bodies, i, j) <= skin[i] + skin[j] + reach;
+  };
   const auto is_face = [&](std::int32_t body) { return shape_of(world, bodies, index_of(body)).is_face(); };
   std::erase_if(pairs, [&](const BodyPair& pair) {
     const bool one = is_face(pair.first), two = is_face(pair.second);
-    return (one && two) || ((one || two) && sphere_gap(world, bodies, index_of(pair.first), index_of(pair.second)) >
-                                                world.skin + reach);
+    return (one && two) || ((one || two) && !is_near(pair.first, pair.second));
   });
   for (const std::int32_t wall : walls)
     for (const std::int32_t body : ball_of)
-      if (!is_face(body) && sphere_gap(world, bodies, index_of(wall), index_of(body)) <= world.skin + reach)
-        pairs.push_back({std::min(wall, body), std::max(wall, body)});
+      if (!is_face(body) && is_near(wall, body)) pairs.push_back({std::min(wall, body), std::max(wall, body)});
 
   std::vector<Candidate> found;
   found.reserve(pairs.size());
@@ -289,7 +292,7 @@ PairList make_pair_list(PairList&& before, const World& world, const Bodies& bod
   threads.run([&] {
     const std::vector<std::uint32_t> rank = ranks(world, bodies);
     const std::vector<Place> old = places_of(before, rank);
-    const std::vector<Candidate> found = candidates(world, bodies, rank);
+    const std::vector<Candidate> found = candidates(world, bodies, kinematics.skin, rank);
     const std::vector<Index> bounds = chunk_bounds(found);
     list.chunks.resize(bounds.size() - 1);
     std::vector<std::vector<std::int32_t>> places(static_cast<Index>(threads.count()));

@@ -24,7 +24,7 @@ struct PairList {
   double viscous_loss = 0.0, friction_loss = 0.0, hysteresis_loss = 0.0, curvature_gain = 0.0;
 };
 
-/// The pairs that may touch while no two bodies have together moved further than the skin. What `before` knows of a
+/// The pairs that may touch while no body has moved further than its skin in `kinematics`. What `before` knows of a
 /// pair is kept; its travels are those in `kinematics`, which count from zero afterwards.
 PairList make_pair_list(PairList&& before, const World& world, const Bodies& bodies, const Kinematics& kinematics,
                         Threads& threads);

@@ -1,6 +1,6 @@
 #pragma once
-// Memory that is wanted soon, asked for a little at a time while something else is worked on: asked for at once it would
-// hold up what is in hand, asked for where it is needed each line would be waited for.
+// Memory that is wanted soon, asked for a little at a time while something else is worked on: asked for at once it
+// would hold up what is in hand, asked for where it is needed each line would be waited for.
 
 #include <hwy/cache_control.h>
 

@@ -188,16 +188,19 @@ World make_world(const Setup& setup) {
             "free bodies only: images of others would move");
     require(setup.pours.empty(), "sheared box", "a pour", "particles that are there from the start");
   }
-  world.skin = setup.skin * least_radius;
+  world.least_skin = 0.5 * setup.skin * least_radius;
   const double flattest = setup.radius_cap * most_volume_radius;
   double reach = 0.0;
   for (const Interaction& interaction : setup.interactions) {
     world.reach.push_back(interaction.law.interaction_range(flattest, flattest));
     reach = std::max(reach, world.reach.back());
   }
-  const double least_length = setup.box.length.minCoeff(), needed = 4.0 * most_radius + 2.0 * (world.skin + reach);
-  require(least_length > needed, "periodic box", "a length of " + number(least_length) + " m",
-          "more than " + number(needed) + " m, or the largest particles would meet each other twice");
+  const double least_length = setup.box.length.minCoeff(), needed = 4.0 * most_radius + 2.0 * reach,
+               room = 0.25 * (least_length - needed);
+  require(room > world.least_skin, "periodic box", "a length of " + number(least_length) + " m",
+          "more than " + number(needed + 4.0 * world.least_skin) +
+              " m, or the largest particles would meet each other twice");
+  world.most_skin = std::max(world.least_skin, std::min(most_radius, room));
   return world;
 }
 

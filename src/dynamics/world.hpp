@@ -13,14 +13,14 @@ namespace osculate {
 
 struct World {
   Setup setup;
-  std::vector<BodyShape> shapes;         ///< the setup's, then the faces of its meshes
-  std::vector<BodyStart> starts;         ///< the setup's bodies, then the faces
-  std::vector<std::int32_t> first_face;  ///< of each mesh: index of its first body
-  std::vector<std::int32_t> law_of;      ///< index into setup.interactions or −1, material by material
-  std::vector<double> reach;             ///< of each interaction: the largest gap at which it acts [m]
-  double least_half_width = 0.0;         ///< of all particles [m]
-  double skin = 0.0;                     ///< [m]
-  PeriodicBox box;                       ///< as it is now: a shear moves its images
+  std::vector<BodyShape> shapes;             ///< the setup's, then the faces of its meshes
+  std::vector<BodyStart> starts;             ///< the setup's bodies, then the faces
+  std::vector<std::int32_t> first_face;      ///< of each mesh: index of its first body
+  std::vector<std::int32_t> law_of;          ///< index into setup.interactions or −1, material by material
+  std::vector<double> reach;                 ///< of each interaction: the largest gap at which it acts [m]
+  double least_half_width = 0.0;             ///< of all particles [m]
+  double least_skin = 0.0, most_skin = 0.0;  ///< of a body: how far it may go between two lists of pairs [m]
+  PeriodicBox box;                           ///< as it is now: a shear moves its images
 
   std::int32_t law_between(std::int32_t material_1, std::int32_t material_2) const {
     return law_of[static_cast<std::size_t>(material_1) * setup.materials.size() + static_cast<std::size_t>(material_2)];

@@ -17,7 +17,7 @@ namespace osculate::io {
 namespace {
 
 // magic and version, four numbers, the arrays (name, type, values), checksum of all before it.
-constexpr std::string_view magic = "OSCULATE CHECKPOINT 3\n";
+constexpr std::string_view magic = "OSCULATE CHECKPOINT 4\n";
 
 class Writer {
  public:

@@ -51,7 +51,8 @@ TEST_CASE("Bodies' records become columns of pairs as they are") {
   for (const std::size_t count : {1, 2, 3, 7, 8, 9, 23}) {
     const Sample sample(count);
     SuperquadricPairs pairs;
-    fill_pairs(sample.of(), pairs);
+    ReadAhead nothing;
+    fill_pairs(sample.of(), pairs, nothing);
     REQUIRE(pairs.size() == count);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < SuperquadricPairs::per_body; ++k) {
@@ -86,8 +87,9 @@ TEST_CASE("Contacts see the motion of the step in their plane and that of its en
     const ContactColumns before = found;
     Columns<of_arms::columns> arms;
     Columns<of_motion::columns> motion;
+    ReadAhead nothing;
     describe_motion(sample.of(), images, cap, {.angular_velocity = true, .mean_angular_velocity = true}, found, arms,
-                    motion);
+                    motion, nothing);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 n = vector_at(found.columns, of_geometry::normal, i);
       if (i == proved) {
@@ -170,21 +172,37 @@ TEST_CASE("Sums over contacts count each once, and springs of any power gain wha
         if (last > 0.0)
           expected.curvature_gain += (coefficient - last_coefficient) * std::pow(0.5 * (last + overlap), power + 1.0);
       }
-      Columns<of_torques::columns> torques;
-      const LawSums sums = collect({found, arms, motion, out, time_step, true, true}, mass, springs, torques);
+      // Five bodies, so that some have several contacts in a batch.
+      std::vector<LocalPair> pairs;
+      for (std::size_t i = 0; i < count; ++i)
+        pairs.push_back({static_cast<std::uint16_t>(i % 3), static_cast<std::uint16_t>(3 + i % 2)});
+      std::vector<Wrench> wrenches(5);
+      std::vector<Vec3> contact_forces(count), contact_couples(count);
+      ReadAhead nothing;
+      const LawSums sums = collect({found, arms, motion, out, time_step, true, true}, mass,
+                                   {springs, contact_forces, contact_couples, pairs, wrenches}, nothing);
       const double tolerance = 1e-12 * static_cast<double>(count);  // sums of numbers of order one
       CHECK(std::fabs(sums.viscous_loss - expected.viscous_loss) < tolerance);
       CHECK(std::fabs(sums.stored_normal - expected.stored_normal) < tolerance);
       CHECK(std::fabs(sums.curvature_gain - expected.curvature_gain) < 10.0 * tolerance);
       CHECK(std::fabs(sums.stiffest - expected.stiffest) < tolerance);
       CHECK(sums.deepest == expected.deepest);
+      std::vector<Vec3> force_on(5, Vec3::Zero()), torque_on(5, Vec3::Zero());
       for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 force = vector_at(out, of_answer::force, i), couple = vector_at(out, of_answer::couple, i);
-        CHECK((force - forces[i]).norm() < 100.0 * round_off);
-        const Vec3 on_1 = vector_at(arms, of_arms::arm_1, i).cross(force) + couple;
-        const Vec3 on_2 = vector_at(arms, of_arms::arm_2, i).cross(-force) - couple;
-        CHECK((vector_at(torques, of_torques::on_1, i) - on_1).norm() < 100.0 * round_off);
-        CHECK((vector_at(torques, of_torques::on_2, i) - on_2).norm() < 100.0 * round_off);
+        const Vec3 couple = vector_at(out, of_answer::couple, i);
+        CHECK((contact_forces[i] - forces[i]).norm() < 100.0 * round_off);
+        CHECK(contact_couples[i] == couple);
+        force_on[pairs[i].first] += forces[i];
+        force_on[pairs[i].second] -= forces[i];
+        torque_on[pairs[i].first] += vector_at(arms, of_arms::arm_1, i).cross(forces[i]) + couple;
+        torque_on[pairs[i].second] -= vector_at(arms, of_arms::arm_2, i).cross(forces[i]) + couple;
+      }
+      for (std::size_t body = 0; body < 5; ++body) {
+        const auto& numbers = wrenches[body].numbers;
+        CHECK((Vec3(numbers[0], numbers[1], numbers[2]) - force_on[body]).norm() < 1000.0 * round_off);
+        CHECK((Vec3(numbers[4], numbers[5], numbers[6]) - torque_on[body]).norm() < 1000.0 * round_off);
+        CHECK(numbers[3] == 0.0);
+        CHECK(numbers[7] == 0.0);
       }
     }
 }

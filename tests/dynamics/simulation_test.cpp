@@ -2,9 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
+#include <set>
 
 #include "dynamics/scenes.hpp"
 #include "osculate/core/error.hpp"
+#include "osculate/geometry/common_normal.hpp"
 
 using namespace osculate;
 
@@ -58,6 +60,45 @@ TEST_CASE("The energy of a damped frictional scene is accounted for to 1e-3 of w
   CHECK(energy.curvature_gain != 0.0);
   CHECK(std::fabs(energy.curvature_gain) < 0.01 * energy.lost());
   CHECK(std::fabs(energy.balance() - before) < 1e-3 * energy.lost());
+}
+
+TEST_CASE("No contact is missed between bodies of any speed, and fast ones do not make lists often") {
+  // A fifth of the bodies fly some hundred times faster than the others, a floor moves sideways. Balls
+  // touch where their bounding spheres do: only the list decides what is seen.
+  const Ellipsoid ball{.half_axes = {3e-3, 3e-3, 3e-3}};
+  Setup setup = settling(damped_frictional_law(), {ball, ball, blocky()}, 7, 1.3e-2, 1e-5);
+  setup.motions.push_back(Translation{.velocity = {0.5, 0.0, 0.0}, .end = std::numeric_limits<double>::infinity()});
+  setup.bodies[0].motion = 1;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 5; i < setup.bodies.size(); ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    setup.bodies[i].velocity = (i % 5 == 0 ? 2.0 : 0.02) * Vec3(x, y, z);
+  }
+  Simulation simulation(setup);
+  std::size_t overlaps = 0;
+  constexpr int samples = 150, between = 9;
+  for (int sample = 0; sample < samples; ++sample) {
+    simulation.advance(between);
+    std::set<std::pair<std::int32_t, std::int32_t>> known;
+    for (const Contact& contact : simulation.contacts()) known.insert({contact.body_1, contact.body_2});
+    const Bodies& bodies = simulation.bodies();
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (std::size_t j = std::max<std::size_t>(i + 1, 5); j < bodies.size(); ++j) {
+        const auto shape = [&](std::size_t body) {
+          return simulation.shapes()[static_cast<std::size_t>(bodies.shape[body])].shape;
+        };
+        if (i >= 5 && (bodies.position[i] - bodies.position[j]).norm() > 9e-3) continue;
+        const ContactGeometry found = common_normal(shape(i), bodies.pose(i), shape(j), bodies.pose(j));
+        if (!is_resolved(found.status) || found.overlap < 1e-9) continue;
+        ++overlaps;
+        CAPTURE(i, j, found.overlap, simulation.steps());
+        REQUIRE(known.contains({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)}));
+      }
+  }
+  CHECK(overlaps > 200);  // enough that one could be missed
+  // The fastest body goes half of the least skin in 2 steps.
+  CHECK(simulation.counts().rebuilds < samples * between / 8);
 }
 
 TEST_CASE("Any number of threads gives the same bits") {
