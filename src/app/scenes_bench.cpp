@@ -1,9 +1,11 @@
 #include "app/scenes_bench.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -19,18 +21,17 @@ namespace {
 
 constexpr int walls = 5;
 
-Setup setup_of(const BenchScene& scene, const SceneBenchSettings& settings) {
+Setup setup_of(const BenchScene& scene, int count, const std::string& tangential) {
   Setup setup;
   setup.materials = {
       {.name = "grain", .elastic = {.youngs_modulus = scene.youngs_modulus, .poissons_ratio = 0.3}, .density = 2500.0}};
   const ElasticMaterial& elastic = setup.materials[0].elastic;
-  const LawChoice law{{"hertz", {}}, {"tsuji", {{"restitution", 0.5}}}, {settings.tangential, {{"friction", 0.5}}}};
+  const LawChoice law{{"hertz", {}}, {"tsuji", {{"restitution", 0.5}}}, {tangential, {{"friction", 0.5}}}};
   setup.interactions.push_back({0, 0, make_contact_law(law, elastic, elastic)});
   setup.shapes = {HalfSpace{}, scene.particle};
   setup.motions = {Fixed{}};
   setup.gravity = {0.0, 0.0, -9.81};
   setup.time_step = scene.time_step;
-  const int count = settings.particles > 0 ? settings.particles : scene.particles;
   const double spacing = 2.0 * bounding_radius(scene.particle) * 1.02;
   const double per_edge = std::ceil(std::cbrt(count) - 1e-9), width = per_edge * spacing;
   const auto plane = [&](const Vec3& point, const Vec3& normal) {
@@ -56,18 +57,27 @@ Setup setup_of(const BenchScene& scene, const SceneBenchSettings& settings) {
   return setup;
 }
 
-/// Wall time of each repetition, per particle and step.
-Timing wall_time(Simulation& simulation, const SceneBenchSettings& settings, std::size_t particles) {
-  std::vector<double> times;
-  for (int i = 0; i < settings.repetitions; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    simulation.advance(static_cast<std::uint64_t>(settings.steps));
-    const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-    times.push_back(took.count() / static_cast<double>(particles) / settings.steps);
-  }
-  std::sort(times.begin(), times.end());
-  const std::size_t count = times.size();
-  return {.median = times[count / 2], .spread = 0.5 * (times[3 * count / 4] - times[count / 4])};
+/// Whether the mean kinetic energy has become a small share of what a fall by a bounding radius gives.
+bool is_at_rest(const Simulation& simulation) {
+  constexpr double small = 2e-5;
+  const Bodies& bodies = simulation.bodies();
+  const EnergyLedger energy = simulation.energy();
+  const double fall = bodies.mass[walls] * 9.81 * simulation.shapes()[1].bounding_radius;
+  return energy.kinetic + energy.rotational < small * fall * static_cast<double>(bodies.size() - walls);
+}
+
+/// Wall times per particle and step of the same scene on one thread and on two, in turns.
+std::array<Timing, 2> wall_times(Simulation& one, Simulation& two, const SceneBenchSettings& settings,
+                                 std::size_t particles) {
+  std::array<std::vector<double>, 2> times;
+  for (int i = 0; i < settings.repetitions; ++i)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto begin = std::chrono::steady_clock::now();
+      (k == 0 ? one : two).advance(static_cast<std::uint64_t>(settings.steps));
+      const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
+      times[k].push_back(took.count() / static_cast<double>(particles) / settings.steps);
+    }
+  return {timing_of(times[0]), timing_of(times[1])};
 }
 
 struct Exhaustive {
@@ -137,6 +147,58 @@ StageTimes shares_between(const StageTimes& before, const StageTimes& after) {
   return share;
 }
 
+/// A scene with a number of particles, from its start to its times.
+struct Case {
+  BenchScene scene;
+  Setup setup;
+  std::unique_ptr<Simulation> simulation = {};  ///< settled, on one thread
+  SceneTimes times = {};
+  StageTimes before = {};
+  StepCounts first = {};
+
+  std::size_t particles() const { return setup.bodies.size() - walls; }
+  std::uint64_t steps() const { return static_cast<std::uint64_t>(scene.settling_time / scene.time_step); }
+  double work() const { return static_cast<double>(particles()) * static_cast<double>(steps()); }
+
+  void settle(const SceneBenchSettings& settings, const std::function<void(double)>& progress) {
+    constexpr int parts = 50, most_parts = 5 * parts;
+    setup.threads = 2;
+    Simulation settling(setup);
+    for (int part = 1; part <= parts || (part <= most_parts && !is_at_rest(settling)); ++part) {
+      settling.advance(steps() / parts);
+      progress(std::min(1.0, static_cast<double>(part) / parts));
+    }
+    times.name = scene.name;
+    times.shape = scene.shape;
+    times.particles = particles();
+    setup.threads = 1;
+    simulation = std::make_unique<Simulation>(setup, settling.state());
+    const auto [one, two] = wall_times(*simulation, settling, settings, particles());
+    times.one_thread_wall = one;
+    times.two_threads = two;
+    before = simulation->times();
+    first = simulation->counts();
+  }
+
+  /// What is left once the steps have been timed.
+  void finish(const SceneBenchSettings& settings) {
+    const auto count = static_cast<double>(particles());
+    times.shares = shares_between(before, simulation->times());
+    const StepCounts last = simulation->counts();
+    times.steps_between_lists = static_cast<double>(settings.repetitions) * settings.steps /
+                                std::max(1.0, static_cast<double>(last.rebuilds - first.rebuilds));
+    times.coordination = connectivity(*simulation).coordination;
+    times.contacts = static_cast<double>(last.contacts) / count;
+    times.candidates = static_cast<double>(last.candidates) / count;
+    times.bytes = static_cast<double>(simulation->memory_bytes()) / count;
+    times.bytes_of_contact = static_cast<double>(simulation->contact_bytes()) / static_cast<double>(last.contacts);
+    const Exhaustive all = search_all(*simulation, scene.particle);
+    times.missed = all.missed;
+    times.sphere_neighbours = all.sphere_neighbours;
+    times.ccd = time_ccd(*simulation, scene.particle, particles(), settings.repetitions);
+  }
+};
+
 }  // namespace
 
 std::vector<BenchScene> bench_scenes() {
@@ -163,50 +225,33 @@ std::vector<BenchScene> bench_scenes() {
            .settling_time = 0.3}};
 }
 
-SceneTimes time_scene(const BenchScene& scene, const SceneBenchSettings& settings,
-                      const std::function<void(double)>& progress) {
-  Setup setup = setup_of(scene, settings);
-  const std::size_t particles = setup.bodies.size() - walls;
-  const auto count = static_cast<double>(particles);
-  setup.threads = 2;
-  Simulation settling(setup);
-  const auto steps = static_cast<std::uint64_t>(scene.settling_time / scene.time_step);
-  constexpr int parts = 50;
+std::vector<SceneTimes> time_scenes(const std::vector<BenchScene>& scenes, const SceneBenchSettings& settings,
+                                    const std::function<void(double)>& progress) {
+  std::vector<Case> cases;
+  double work = 0.0, done = 0.0;  // in particles times steps of settling
+  for (const BenchScene& scene : scenes)
+    for (const int count : settings.particles.empty() ? std::vector<int>{scene.particles} : settings.particles) {
+      cases.push_back({.scene = scene, .setup = setup_of(scene, count, settings.tangential)});
+      work += cases.back().work();
+    }
   constexpr double settling_share = 0.85;
-  for (int part = 1; part <= parts; ++part) {
-    settling.advance(steps / parts);
-    progress(settling_share * part / parts);
+  for (Case& one : cases) {
+    one.settle(settings, [&](double share) { progress(settling_share * (done + share * one.work()) / work); });
+    done += one.work();
   }
-  const State settled = settling.state();
-
-  SceneTimes times{};
-  times.name = scene.name;
-  times.shape = scene.shape;
-  times.particles = particles;
-  times.two_threads = wall_time(settling, settings, particles);
-  setup.threads = 1;
-  Simulation simulation(setup, settled);
-  times.one_thread_wall = wall_time(simulation, settings, particles);
-  const StageTimes before = simulation.times();
-  const StepCounts first = simulation.counts();
-  times.step = time_of(
-      particles * static_cast<std::size_t>(settings.steps), settings.repetitions, [] {},
-      [&] { simulation.advance(static_cast<std::uint64_t>(settings.steps)); });
-  times.shares = shares_between(before, simulation.times());
-  const StepCounts last = simulation.counts();
-  times.steps_between_lists = static_cast<double>(settings.repetitions) * settings.steps /
-                              std::max(1.0, static_cast<double>(last.rebuilds - first.rebuilds));
-  times.coordination = connectivity(simulation).coordination;
-  times.contacts = static_cast<double>(last.contacts) / count;
-  times.candidates = static_cast<double>(last.candidates) / count;
-  times.bytes = static_cast<double>(simulation.memory_bytes()) / count;
-  times.bytes_of_contact = static_cast<double>(simulation.contact_bytes()) / static_cast<double>(last.contacts);
-  const Exhaustive all = search_all(simulation, scene.particle);
-  times.missed = all.missed;
-  times.sphere_neighbours = all.sphere_neighbours;
-  times.ccd = time_ccd(simulation, scene.particle, particles, settings.repetitions);
+  std::vector<TimedWork> works;
+  for (const Case& one : cases)
+    works.push_back({one.particles() * static_cast<std::size_t>(settings.steps),
+                     [&] { one.simulation->advance(static_cast<std::uint64_t>(settings.steps)); }});
+  const std::vector<Timing> timings = times_in_turns(works, settings.repetitions);
+  std::vector<SceneTimes> all;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    cases[k].times.step = timings[k];
+    cases[k].finish(settings);
+    all.push_back(cases[k].times);
+  }
   progress(1.0);
-  return times;
+  return all;
 }
 
 }  // namespace osculate::app

@@ -12,7 +12,7 @@
 namespace osculate::app {
 
 struct SceneBenchSettings {
-  int particles = 0;  ///< a scene; 0 for its own number
+  std::vector<int> particles;  ///< a scene, one after another; none: its own number
   int repetitions = 15;
   int steps = 100;                      ///< of a repetition
   std::string tangential = "di_renzo";  ///< the law of friction
@@ -50,8 +50,8 @@ struct SceneTimes {
       missed;  ///< overlaps above 1e-6 of the bounding radius that an exhaustive search finds and the scene lacks
 };
 
-/// Settles the scene, then measures. `progress` is told the share that is done.
-SceneTimes time_scene(const BenchScene& scene, const SceneBenchSettings& settings,
-                      const std::function<void(double)>& progress);
+/// Settles the scenes, then measures them in turns. `progress` is told the share that is done.
+std::vector<SceneTimes> time_scenes(const std::vector<BenchScene>& scenes, const SceneBenchSettings& settings,
+                                    const std::function<void(double)>& progress);
 
 }  // namespace osculate::app

@@ -18,6 +18,14 @@ double thread_time() {
 
 }  // namespace
 
+Timing timing_of(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
+  return {.median = at(0.5), .spread = 0.5 * (at(0.75) - at(0.25))};
+}
+
 Timing time_of(std::size_t items, int repetitions, const std::function<void()>& prepare,
                const std::function<void()>& work) {
   std::vector<double> times;
@@ -30,11 +38,21 @@ Timing time_of(std::size_t items, int repetitions, const std::function<void()>& 
     work();
     times.push_back((thread_time() - start) / static_cast<double>(items));
   }
-  std::sort(times.begin(), times.end());
-  const auto at = [&](double part) {
-    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
-  };
-  return {.median = at(0.5), .spread = 0.5 * (at(0.75) - at(0.25))};
+  return timing_of(times);
+}
+
+std::vector<Timing> times_in_turns(const std::vector<TimedWork>& works, int repetitions) {
+  std::vector<std::vector<double>> times(works.size());
+  for (const TimedWork& work : works) work.run();  // untimed: warms memory and processor
+  for (int i = 0; i < repetitions; ++i)
+    for (std::size_t k = 0; k < works.size(); ++k) {
+      const double start = thread_time();
+      works[k].run();
+      times[k].push_back((thread_time() - start) / static_cast<double>(works[k].items));
+    }
+  std::vector<Timing> timings;
+  for (const auto& one : times) timings.push_back(timing_of(one));
+  return timings;
 }
 
 }  // namespace osculate::app

@@ -1,7 +1,9 @@
 #pragma once
 // Timing of short work by repetition, in processor time.
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace osculate::app {
 
@@ -11,8 +13,19 @@ struct Timing {
   double spread = 0.0;  ///< [ns]
 };
 
+/// Of the times of all repetitions, at least one.
+Timing timing_of(std::vector<double> times);
+
 /// Runs `prepare` (not timed) and `work` (timed) again and again; `items` is how many items `work` handles.
 Timing time_of(std::size_t items, int repetitions, const std::function<void()>& prepare,
                const std::function<void()>& work);
+
+struct TimedWork {
+  std::size_t items;  ///< that it handles
+  std::function<void()> run;
+};
+
+/// Times of each work, taken in turns: a machine that is slower for a while is so for all of them.
+std::vector<Timing> times_in_turns(const std::vector<TimedWork>& works, int repetitions);
 
 }  // namespace osculate::app

@@ -62,7 +62,7 @@ struct Setup {
   double radius_cap = review_cap;  ///< no relative radius of curvature above this times the smaller R_vol
   /// > 0: pairs are kept to this distance at least, in bounding radii of the smallest particle; fast ones further.
   double skin = 0.1;
-  int threads = 1;                 ///< ≥ 1; results do not depend on it
+  int threads = 1;  ///< ≥ 1; results do not depend on it
 };
 
 /// Throws InputError, naming the body or other entry, for indices out of range, a body without mass or with numbers
