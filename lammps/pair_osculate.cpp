@@ -205,12 +205,12 @@ void PairOsculate::collect() {
       const auto body = static_cast<std::size_t>(chunk.bodies[k]);
       const Wrench& wrench = chunk.wrenches[k];
       if (rank_->is_driven(body)) {
-        rank_->bodies.force[body] += wrench.force;
-        rank_->bodies.torque[body] += wrench.torque;
+        rank_->bodies.force[body] += wrench.force();
+        rank_->bodies.torque[body] += wrench.torque();
       } else if (rank_->is_owned(body)) {
         const std::size_t i = body - rank_->driven;
-        put(vec3(atom->f[i]) + wrench.force, atom->f[i]);
-        put(vec3(atom->torque[i]) + wrench.torque, atom->torque[i]);
+        put(vec3(atom->f[i]) + wrench.force(), atom->f[i]);
+        put(vec3(atom->torque[i]) + wrench.torque(), atom->torque[i]);
       }
     }
   const PairSums all = pairs_.sums();

@@ -146,7 +146,7 @@ void RankPairs::finish(Draft& draft) {
   for (Index k = 0; k < chunk.far.size(); ++k) chunk.far[k].bodies = places_of(draft.far[k]);
   for (Index k = 0; k < chunk.contacts.size(); ++k) chunk.contacts.bodies[k] = places_of(draft.contacts[k]);
   for (const std::int32_t body : chunk.bodies) place_[static_cast<Index>(body)] = -1;
-  chunk.wrenches.assign(chunk.bodies.size(), {Vec3::Zero(), Vec3::Zero()});
+  chunk.wrenches.assign(chunk.bodies.size(), Wrench());
   drop_spare_room(chunk);
   chunks_.push_back(std::move(chunk));
 }
@@ -215,8 +215,10 @@ void RankPairs::list(const RankBodies& rank, const int* tags, std::span<const At
 }
 
 const PairChunk* RankPairs::evaluate(const RankBodies& rank) {
-  for (PairChunk& chunk : chunks_) {
-    osculate::evaluate(chunk, rank.world, rank.bodies, rank.kinematics, scratch_);
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    PairChunk& chunk = chunks_[c];
+    const PairChunk* next = c + 1 < chunks_.size() ? &chunks_[c + 1] : nullptr;
+    osculate::evaluate(chunk, next, rank.world, rank.bodies, rank.kinematics, scratch_);
     if (chunk.fault != Fault::none) return &chunk;
   }
   return nullptr;

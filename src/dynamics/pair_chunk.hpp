@@ -95,6 +95,9 @@ struct Contacts {
 struct alignas(64) Wrench {
   /// x, y, z of the force [N] and a zero, x, y, z of the torque about the centroid [N m] and a zero.
   std::array<double, 8> numbers{};
+
+  Vec3 force() const { return {numbers[0], numbers[1], numbers[2]}; }
+  Vec3 torque() const { return {numbers[4], numbers[5], numbers[6]}; }
 };
 
 struct PairChunk {

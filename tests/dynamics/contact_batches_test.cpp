@@ -198,11 +198,10 @@ TEST_CASE("Sums over contacts count each once, and springs of any power gain wha
         torque_on[pairs[i].second] -= vector_at(arms, of_arms::arm_2, i).cross(forces[i]) + couple;
       }
       for (std::size_t body = 0; body < 5; ++body) {
-        const auto& numbers = wrenches[body].numbers;
-        CHECK((Vec3(numbers[0], numbers[1], numbers[2]) - force_on[body]).norm() < 1000.0 * round_off);
-        CHECK((Vec3(numbers[4], numbers[5], numbers[6]) - torque_on[body]).norm() < 1000.0 * round_off);
-        CHECK(numbers[3] == 0.0);
-        CHECK(numbers[7] == 0.0);
+        CHECK((wrenches[body].force() - force_on[body]).norm() < 1000.0 * round_off);
+        CHECK((wrenches[body].torque() - torque_on[body]).norm() < 1000.0 * round_off);
+        CHECK(wrenches[body].numbers[3] == 0.0);
+        CHECK(wrenches[body].numbers[7] == 0.0);
       }
     }
 }
