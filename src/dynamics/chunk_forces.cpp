@@ -408,8 +408,8 @@ void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const
               const Kinematics& kinematics, ChunkScratch& scratch) {
   scratch.ahead.clear();
   if (next != nullptr) list_for(scratch.ahead, *next, kinematics);
-  constexpr Index passes = 3, batch = 4;  // over the contacts, and how many are taken at once
-  scratch.ahead.spread_over(passes * chunk.contacts.size() / batch);
+  constexpr Index passes = 3;  // over the contacts, that read ahead
+  scratch.ahead.spread_over(passes * chunk.contacts.size());
   const auto begin = std::chrono::steady_clock::now();
   ChunkStep step(chunk, world, bodies, kinematics, scratch);
   step.watch_far();

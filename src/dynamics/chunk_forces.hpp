@@ -40,7 +40,7 @@ struct ChunkScratch {
 };
 
 /// Contacts, forces and memories of a chunk. Trouble is said in chunk.fault.
-/// @param next  the chunk that follows, or null: it is fetched meanwhile
+/// @param next  the chunk that follows, or null: it is fetched meanwhile. No other thread may be at work on it.
 void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const Bodies& bodies,
               const Kinematics& kinematics, ChunkScratch& scratch);
 

@@ -60,7 +60,7 @@ HWY_INLINE void store_vector(const V3<Batch>& v, Columns<N>& columns, std::size_
 void fill(const PairRecords& of, SuperquadricPairs& pairs, ReadAhead& ahead) {
   constexpr std::size_t each = SuperquadricPairs::per_body;
   for_batches(of.pairs.size(), [&](std::size_t start, auto count) HWY_ATTR {
-    ahead.proceed();
+    ahead.proceed(count);
     const auto put = [&](std::uint16_t LocalPair::*body, std::size_t first) HWY_ATTR {
       const RecordColumns record(of, start, count, body);
       Batch columns[each + width];
@@ -102,7 +102,7 @@ void describe(const PairRecords& of, const ImageShifts& images, const std::vecto
   const Batch zero(0.0), half(0.5);
   auto& columns = found.columns;
   for_batches(of.pairs.size(), [&](std::size_t start, auto count) HWY_ATTR {
-    ahead.proceed();
+    ahead.proceed(count);
     const BodyMotion one(RecordColumns(of, start, count, &LocalPair::first));
     const BodyMotion two(RecordColumns(of, start, count, &LocalPair::second));
     const Batch cap = load<Batch>(&radius_cap[start], count);
@@ -219,7 +219,7 @@ LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mas
   Batch viscous(0.0), friction(0.0), hysteresis(0.0), normal(0.0), tangential(0.0), gain(0.0), stiffest(0.0),
       deepest(0.0);
   for_batches(out.size(), [&](std::size_t start, auto count) HWY_ATTR {
-    ahead.proceed();
+    ahead.proceed(count);
     const Mask real{hn::FirstN(Tag(), count)};
     const auto column = [&](std::size_t k) HWY_ATTR { return load<Batch>(out[k] + start, count); };
     const auto add = [&](Batch& sum, Batch value) HWY_ATTR { sum += select(real, value, zero); };

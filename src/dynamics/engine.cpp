@@ -171,7 +171,7 @@ void Simulation::Engine::choose_skins() {
   const double mean = sum / static_cast<double>(bodies_.size() - driven_.size());  // a share of the radius in a step
   const double steps = std::min(most_steps, std::sqrt(listing_cost / (crowding * mean)));
   const double of_flow = 0.5 * flow_way(steps * dt);
-  double most = world_.least_skin, largest = 0.0, reach = 0.0;
+  double most = world_.least_skin;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const bool is_free = bodies_.is_free(i);
     const double way = is_free ? dt * speed(i) : step_travel_[i];
@@ -179,10 +179,7 @@ void Simulation::Engine::choose_skins() {
     kinematics_.skin[i] = std::max(world_.least_skin, std::min(spare * steps * way + of_flow, cap));
     most = std::max(most, kinematics_.skin[i]);
   }
-  for (const BodyShape& shape : world_.shapes)
-    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
-  for (const double one : world_.reach) reach = std::max(reach, one);
-  flow_reach_ = 2.0 * (largest + most) + reach;
+  flow_reach_ = 2.0 * (world_.largest_radius + most) + world_.largest_reach;
 }
 
 void Simulation::Engine::move() {
@@ -264,12 +261,9 @@ void Simulation::Engine::rebuild() {
   }
   if (!(lower.x() <= upper.x())) lower = upper = Vec3::Zero();  // nothing has come in yet
   centre_ = 0.5 * (lower + upper);
-  double largest = 0.0;
-  for (const BodyShape& shape : world_.shapes)
-    if (is_particle(shape.shape)) largest = std::max(largest, shape.bounding_radius);
   choose_skins();
-  extent_ =
-      0.5 * (upper - lower).norm() + largest + *std::max_element(kinematics_.skin.begin(), kinematics_.skin.end());
+  extent_ = 0.5 * (upper - lower).norm() + world_.largest_radius +
+            *std::max_element(kinematics_.skin.begin(), kinematics_.skin.end());
   pairs_ = make_pair_list(std::move(pairs_), world_, bodies_, kinematics_, threads_);
   listed_at_ = bodies_.position;
   std::fill(kinematics_.travel.begin(), kinematics_.travel.end(), 0.0);
@@ -277,9 +271,16 @@ void Simulation::Engine::rebuild() {
 }
 
 void Simulation::Engine::evaluate_pairs() {
-  threads_.for_blocks(pairs_.chunks.size(), 1, [&](std::size_t begin, std::size_t) {
-    const PairChunk* next = begin + 1 < pairs_.chunks.size() ? &pairs_.chunks[begin + 1] : nullptr;
-    evaluate(pairs_.chunks[begin], next, world_, bodies_, kinematics_, scratch_[Threads::current()]);
+  constexpr std::size_t most = 16, blocks_of_thread = 8;
+  const auto threads = static_cast<std::size_t>(threads_.count());
+  const std::size_t size = pairs_.chunks.size(), share = size / (blocks_of_thread * threads);
+  const std::size_t block = threads == 1 ? std::max<std::size_t>(size, 1) : std::clamp<std::size_t>(share, 1, most);
+  threads_.for_blocks(size, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      // Only within the block: another thread may be at work on any other chunk.
+      const PairChunk* next = c + 1 < end ? &pairs_.chunks[c + 1] : nullptr;
+      evaluate(pairs_.chunks[c], next, world_, bodies_, kinematics_, scratch_[Threads::current()]);
+    }
   });
   for (const PairChunk& chunk : pairs_.chunks)
     if (chunk.fault != Fault::none) stop_at(chunk);

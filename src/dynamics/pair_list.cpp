@@ -115,7 +115,7 @@ NarrowPhase narrow_phase_of(const BodyShape& one, const BodyShape& two) {
 
 std::vector<Candidate> candidates(const World& world, const Bodies& bodies, const std::vector<double>& skin,
                                   const std::vector<std::uint32_t>& rank) {
-  const double reach = world.reach.empty() ? 0.0 : *std::max_element(world.reach.begin(), world.reach.end());
+  const double reach = world.largest_reach;
   std::vector<Ball> balls;
   std::vector<std::int32_t> ball_of, walls;
   for (Index i = 0; i < bodies.size(); ++i) {

@@ -28,10 +28,11 @@ class ReadAhead {
     add(items.data(), items.size());
   }
 
-  /// What was added is asked for in so many calls of `proceed`, or a few less.
-  void spread_over(std::size_t calls) { pace_ = lines_ / std::max<std::size_t>(calls, 1) + 1; }
-  void proceed() {
-    for (std::size_t asked = 0; asked < pace_; ++asked) {
+  /// What was added is asked for while so many rows are worked on, or a few less.
+  void spread_over(std::size_t rows) { pace_ = part * lines_ / std::max<std::size_t>(rows, 1) + 1; }
+  /// Goes on as far as belongs to so many rows.
+  void proceed(std::size_t rows) {
+    for (std::size_t due = rows * pace_ / part; due > 0; --due) {
       while (next_ >= end_) {
         if (piece_ == pieces_.size()) return;
         next_ = pieces_[piece_].begin;
@@ -43,12 +44,13 @@ class ReadAhead {
   }
 
  private:
-  static constexpr std::size_t line = 64;
+  static constexpr std::size_t line = 64, part = 16;
   struct Piece {
     const char *begin, *end;
   };
   std::vector<Piece> pieces_;
-  std::size_t lines_ = 0, pace_ = 0, piece_ = 0;
+  std::size_t lines_ = 0, piece_ = 0;
+  std::size_t pace_ = 0;  ///< in parts of a line per row
   const char *next_ = nullptr, *end_ = nullptr;
 };
 

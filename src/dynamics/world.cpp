@@ -168,14 +168,14 @@ World make_world(const Setup& setup) {
   for (std::size_t i = 0; i < setup.pours.size(); ++i) check_pour(setup, setup.pours[i], "pour " + std::to_string(i));
   add_meshes(world);
   bool any_free = false;
-  double least_radius = std::numeric_limits<double>::infinity(), most_radius = 0.0, most_volume_radius = 0.0;
+  double least_radius = std::numeric_limits<double>::infinity(), most_volume_radius = 0.0;
   world.least_half_width = least_radius;
   for (const BodyKind& kind : body_kinds(world)) {
     any_free = any_free || kind.is_free;
     const BodyShape& shape = world.shapes[static_cast<std::size_t>(kind.shape)];
     if (!is_particle(shape.shape)) continue;
     least_radius = std::min(least_radius, shape.bounding_radius);
-    most_radius = std::max(most_radius, shape.bounding_radius);
+    world.largest_radius = std::max(world.largest_radius, shape.bounding_radius);
     most_volume_radius = std::max(most_volume_radius, shape.volume_radius);
     world.least_half_width = std::min(world.least_half_width, shape.half_width);
   }
@@ -190,17 +190,16 @@ World make_world(const Setup& setup) {
   }
   world.least_skin = 0.5 * setup.skin * least_radius;
   const double flattest = setup.radius_cap * most_volume_radius;
-  double reach = 0.0;
   for (const Interaction& interaction : setup.interactions) {
     world.reach.push_back(interaction.law.interaction_range(flattest, flattest));
-    reach = std::max(reach, world.reach.back());
+    world.largest_reach = std::max(world.largest_reach, world.reach.back());
   }
-  const double least_length = setup.box.length.minCoeff(), needed = 4.0 * most_radius + 2.0 * reach,
-               room = 0.25 * (least_length - needed);
+  const double least_length = setup.box.length.minCoeff(),
+               needed = 4.0 * world.largest_radius + 2.0 * world.largest_reach, room = 0.25 * (least_length - needed);
   require(room > world.least_skin, "periodic box", "a length of " + number(least_length) + " m",
           "more than " + number(needed + 4.0 * world.least_skin) +
               " m, or the largest particles would meet each other twice");
-  world.most_skin = std::max(world.least_skin, std::min(most_radius, room));
+  world.most_skin = std::max(world.least_skin, std::min(world.largest_radius, room));
   return world;
 }
 

@@ -20,6 +20,8 @@ struct World {
   std::vector<double> reach;                 ///< of each interaction: the largest gap at which it acts [m]
   double least_half_width = 0.0;             ///< of all particles [m]
   double least_skin = 0.0, most_skin = 0.0;  ///< of a body: how far it may go between two lists of pairs [m]
+  double largest_radius = 0.0;               ///< of all particles' bounding spheres [m]
+  double largest_reach = 0.0;                ///< of all interactions [m]
   PeriodicBox box;                           ///< as it is now: a shear moves its images
 
   std::int32_t law_between(std::int32_t material_1, std::int32_t material_2) const {
