@@ -105,6 +105,7 @@ void print_summary(const Simulation& simulation, double particle_steps, double s
   const EnergyLedger energy = simulation.energy();
   const Connectivity net = connectivity(simulation);
   const auto joule = [](double value) { return io::quantity_text(value, "J"); };
+  const auto less = [&](double value) { return joule(0.0 - value); };  // nothing is 0, not -0
   fmt::print("{}", io::to_text(std::vector<io::Property>{
                        {"time", io::quantity_text(simulation.time(), "s")},
                        {"steps", fmt::format("{}", simulation.steps())},
@@ -123,9 +124,9 @@ void print_summary(const Simulation& simulation, double particle_steps, double s
                           {"lost to viscosity", joule(energy.viscous_loss)},
                           {"lost to friction", joule(energy.friction_loss)},
                           {"lost to hysteresis", joule(energy.hysteresis_loss)},
-                          {"less the work of driven bodies", joule(-energy.driven_work)},
-                          {"less what particles poured brought", joule(-energy.poured)},
-                          {"less what springs gained by curvature", joule(-energy.curvature_gain)},
+                          {"less the work of driven bodies", less(energy.driven_work)},
+                          {"less what particles poured brought", less(energy.poured)},
+                          {"less what springs gained by curvature", less(energy.curvature_gain)},
                           {"sum, constant but for the time step", joule(energy.balance())}},
                          1};
   fmt::print("\n{}", io::to_text(ledger));
