@@ -60,9 +60,8 @@ struct Setup {
   PeriodicBox box;
   double time_step = 0.0;          ///< > 0 [s], see time_step.hpp
   double radius_cap = review_cap;  ///< no relative radius of curvature above this times the smaller R_vol
-  /// > 0: pairs are kept to this distance at least, in bounding radii of the smallest particle; fast ones further.
-  double skin = 0.1;
-  int threads = 1;  ///< ≥ 1; results do not depend on it
+  double skin = 0.1;               ///< > 0: pairs are kept to this at least, in bounding radii of the smallest particle
+  int threads = 1;                 ///< ≥ 1; results do not depend on it
 };
 
 /// Throws InputError, naming the body or other entry, for indices out of range, a body without mass or with numbers
