@@ -40,7 +40,7 @@ history friction; the median of the repetitions ± half the distance between the
   GJK/EPA      what libccd would take to find the same contacts between particles, without curvature, forces and motion
   stages       motion of the bodies, lists of pairs, narrow phase, contact law, sum of forces
   missed       overlaps above 1e-6 of the radius that an exhaustive search finds and the scene does not have
-Settling takes a minute or two, 10^5 particles a quarter of an hour. Scenes and numbers of particles are timed in turns.
+Settling takes a minute or two, 10^5 particles half an hour and more. Scenes and numbers of particles are timed in turns.
 Examples:
   osculate bench scenes --scene boxes
   osculate bench scenes --scene ellipsoids --particles 1000 10000 100000 --repetitions 5)";
