@@ -147,7 +147,7 @@ void RankPairs::finish(Draft& draft) {
   for (Index k = 0; k < chunk.contacts.size(); ++k) chunk.contacts.bodies[k] = places_of(draft.contacts[k]);
   for (const std::int32_t body : chunk.bodies) place_[static_cast<Index>(body)] = -1;
   chunk.wrenches.assign(chunk.bodies.size(), Wrench());
-  drop_spare_room(chunk);
+  fit_room(chunk);
   chunks_.push_back(std::move(chunk));
 }
 
@@ -218,7 +218,7 @@ const PairChunk* RankPairs::evaluate(const RankBodies& rank) {
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     PairChunk& chunk = chunks_[c];
     const PairChunk* next = c + 1 < chunks_.size() ? &chunks_[c + 1] : nullptr;
-    osculate::evaluate(chunk, next, rank.world, rank.bodies, rank.kinematics, scratch_);
+    osculate::evaluate(chunk, next, rank.world, rank.bodies, rank.kinematics, osculate::ContactForces::keep, scratch_);
     if (chunk.fault != Fault::none) return &chunk;
   }
   return nullptr;

@@ -38,12 +38,13 @@ constexpr const char* scenes_help =
 history friction; the median of the repetitions ± half the distance between their quartiles.
   one core     processor time of the whole step
   GJK/EPA      what libccd would take to find the same contacts between particles, without curvature, forces and motion
-  stages       motion of the bodies, lists of pairs, narrow phase, contact law, sum of forces
+  stages       sums of forces and motion of the bodies, lists of pairs, narrow phase, contact law
   missed       overlaps above 1e-6 of the radius that an exhaustive search finds and the scene does not have
-Settling takes a minute or two, 10^5 particles half an hour and more. Scenes and numbers of particles are timed in turns.
+Settling takes a minute or two, 10^5 particles half an hour and more; --settled keeps the states for the next time.
+Scenes and numbers of particles are timed in turns.
 Examples:
   osculate bench scenes --scene boxes
-  osculate bench scenes --scene ellipsoids --particles 1000 10000 100000 --repetitions 5)";
+  osculate bench scenes --scene ellipsoids --particles 1000 10000 100000 --settled settled --repetitions 5)";
 
 struct BenchOptions {
   bool json = false;
@@ -201,15 +202,14 @@ void print_scenes(const std::vector<SceneTimes>& all, const SceneBenchSettings& 
       settings.tangential, settings.repetitions, settings.steps, batch_instruction_set());
   const auto percent = [](double share) { return fmt::format("{:.0f} %", 100.0 * share); };
   io::Table times{{"scene", "particles", "one core", "GJK/EPA", "GJK/EPA : one core", "two threads : one"}, {}, 1};
-  io::Table stages{{"scene", "motion", "lists", "narrow", "law", "sums", "steps a list"}, {}, 1};
+  io::Table stages{{"scene", "motion", "lists", "narrow", "law", "steps a list"}, {}, 1};
   io::Table numbers{
       {"scene", "coordination", "contacts", "in the list", "spheres", "bytes", "a contact", "missed"}, {}, 1};
   for (const SceneTimes& one : all) {
     times.rows.push_back({one.name, fmt::format("{}", one.particles), text_of(one.step), text_of(one.ccd),
                           ratio_text(one.ccd, one.step), ratio_text(one.one_thread_wall, one.two_threads)});
     stages.rows.push_back({one.name, percent(one.shares.move), percent(one.shares.broad), percent(one.shares.narrow),
-                           percent(one.shares.law), percent(one.shares.gather),
-                           fmt::format("{:.0f}", one.steps_between_lists)});
+                           percent(one.shares.law), fmt::format("{:.0f}", one.steps_between_lists)});
     numbers.rows.push_back({one.name, fmt::format("{:.2f}", one.coordination), fmt::format("{:.2f}", one.contacts),
                             fmt::format("{:.2f}", one.candidates), fmt::format("{:.1f}", one.sphere_neighbours),
                             fmt::format("{:.0f}", one.bytes), fmt::format("{:.0f}", one.bytes_of_contact),
@@ -233,8 +233,7 @@ nlohmann::ordered_json json_of(const SceneTimes& one) {
            {{"motion", one.shares.move},
             {"lists", one.shares.broad},
             {"narrow", one.shares.narrow},
-            {"law", one.shares.law},
-            {"sums", one.shares.gather}}},
+            {"law", one.shares.law}}},
           {"steps_between_lists", one.steps_between_lists},
           {"coordination", one.coordination},
           {"contacts_per_particle", one.contacts},
@@ -303,6 +302,7 @@ void add_bench(CLI::App& program) {
   scenes->add_option("--particles", options->scenes.particles, "Particles, in place of each scene's own number")
       ->expected(1, 20)
       ->check(CLI::Range(1, 10000000));
+  scenes->add_option("--settled", options->scenes.settled, "Folder of settled states: taken from there, left there");
   scenes->add_option("--tangential", options->scenes.tangential, "Law of friction")
       ->check(CLI::IsMember({"di_renzo", "mindlin"}))
       ->capture_default_str();

@@ -1,5 +1,7 @@
 #include "app/scenes_bench.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,6 +12,9 @@
 #include <utility>
 
 #include "app/ccd_penetration.hpp"
+#include "io/checkpoint.hpp"
+#include "io/checksum.hpp"
+#include "osculate/core/error.hpp"
 #include "osculate/dynamics/insertion.hpp"
 #include "osculate/dynamics/measures.hpp"
 #include "osculate/dynamics/random.hpp"
@@ -140,10 +145,9 @@ StageTimes shares_between(const StageTimes& before, const StageTimes& after) {
   StageTimes share{.move = after.move - before.move,
                    .broad = after.broad - before.broad,
                    .narrow = after.narrow - before.narrow,
-                   .law = after.law - before.law,
-                   .gather = after.gather - before.gather};
-  const double sum = share.move + share.broad + share.narrow + share.law + share.gather;
-  for (double* one : {&share.move, &share.broad, &share.narrow, &share.law, &share.gather}) *one /= sum;
+                   .law = after.law - before.law};
+  const double sum = share.move + share.broad + share.narrow + share.law;
+  for (double* one : {&share.move, &share.broad, &share.narrow, &share.law}) *one /= sum;
   return share;
 }
 
@@ -160,20 +164,47 @@ struct Case {
   std::uint64_t steps() const { return static_cast<std::uint64_t>(scene.settling_time / scene.time_step); }
   double work() const { return static_cast<double>(particles()) * static_cast<double>(steps()); }
 
-  void settle(const SceneBenchSettings& settings, const std::function<void(double)>& progress) {
-    constexpr int parts = 50, most_parts = 5 * parts;
-    setup.threads = 2;
+  /// On two threads.
+  Simulation settle(const std::function<void(double)>& progress) const {
+    constexpr int usual_parts = 50, more_parts = 5, most_parts = 5 * usual_parts;
     Simulation settling(setup);
-    for (int part = 1; part <= parts || (part <= most_parts && !is_at_rest(settling)); ++part) {
-      settling.advance(steps() / parts);
-      progress(std::min(1.0, static_cast<double>(part) / parts));
+    for (int part = 0, parts = usual_parts; part < parts;) {
+      settling.advance(steps() / usual_parts);
+      progress(static_cast<double>(++part) / parts);
+      if (part == parts && parts < most_parts && !is_at_rest(settling)) parts += more_parts;
     }
+    return settling;
+  }
+
+  /// The same, or as it was kept.
+  Simulation settled(const SceneBenchSettings& settings, const std::function<void(double)>& progress) const {
+    if (settings.settled.empty()) return settle(progress);
+    const std::filesystem::path folder = settings.settled / fmt::format("{}-{}", scene.name, particles());
+    const std::string what = fmt::format("{}, {}, {} particles, {} Pa, steps of {} s, {}", scene.name, scene.shape,
+                                         particles(), scene.youngs_modulus, scene.time_step, settings.tangential);
+    const std::uint64_t mark = io::crc64(what);
+    if (const auto found = io::find_checkpoint(folder)) {
+      if (found->checkpoint.scene != mark)
+        throw InputError(folder.string(), "holds the state of another scene", "one of " + what + ", or another folder");
+      return {setup, found->checkpoint.state};
+    }
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw InputError(folder.string(), "cannot be made (" + error.message() + ")", "a place for states");
+    Simulation settling = settle(progress);
+    io::write_checkpoint(folder, {.scene = mark, .state = settling.state()});
+    return settling;
+  }
+
+  void prepare(const SceneBenchSettings& settings, const std::function<void(double)>& progress) {
+    setup.threads = 2;
+    Simulation on_two = settled(settings, progress);
     times.name = scene.name;
     times.shape = scene.shape;
     times.particles = particles();
     setup.threads = 1;
-    simulation = std::make_unique<Simulation>(setup, settling.state());
-    const auto [one, two] = wall_times(*simulation, settling, settings, particles());
+    simulation = std::make_unique<Simulation>(setup, on_two.state());
+    const auto [one, two] = wall_times(*simulation, on_two, settings, particles());
     times.one_thread_wall = one;
     times.two_threads = two;
     before = simulation->times();
@@ -236,7 +267,7 @@ std::vector<SceneTimes> time_scenes(const std::vector<BenchScene>& scenes, const
     }
   constexpr double settling_share = 0.85;
   for (Case& one : cases) {
-    one.settle(settings, [&](double share) { progress(settling_share * (done + share * one.work()) / work); });
+    one.prepare(settings, [&](double share) { progress(settling_share * (done + share * one.work()) / work); });
     done += one.work();
   }
   std::vector<TimedWork> works;

@@ -2,6 +2,7 @@
 // What a time step of a settled scene costs, particle by particle, and whether it misses a contact.
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ struct SceneBenchSettings {
   int repetitions = 15;
   int steps = 100;                      ///< of a repetition
   std::string tangential = "di_renzo";  ///< the law of friction
+  /// Where settled states are kept: those that are there are not made again, the others are left there. Empty: nowhere.
+  std::filesystem::path settled;
 };
 
 /// Particles of one shape that fell into a box of planes.
@@ -50,7 +53,8 @@ struct SceneTimes {
       missed;  ///< overlaps above 1e-6 of the bounding radius that an exhaustive search finds and the scene lacks
 };
 
-/// Settles the scenes, then measures them in turns. `progress` is told the share that is done.
+/// Settles the scenes, then measures them in turns. `progress` is told the share that is done. Throws InputError if a
+/// state that was kept is another scene's, or cannot be written.
 std::vector<SceneTimes> time_scenes(const std::vector<BenchScene>& scenes, const SceneBenchSettings& settings,
                                     const std::function<void(double)>& progress);
 

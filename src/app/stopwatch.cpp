@@ -28,27 +28,18 @@ Timing timing_of(std::vector<double> times) {
 
 Timing time_of(std::size_t items, int repetitions, const std::function<void()>& prepare,
                const std::function<void()>& work) {
-  std::vector<double> times;
-  // The first run, untimed, warms the memory and the processor.
-  prepare();
-  work();
-  for (int i = 0; i < repetitions; ++i) {
-    prepare();
-    const double start = thread_time();
-    work();
-    times.push_back((thread_time() - start) / static_cast<double>(items));
-  }
-  return timing_of(times);
+  return times_in_turns({{.items = items, .run = work, .prepare = prepare}}, repetitions).front();
 }
 
 std::vector<Timing> times_in_turns(const std::vector<TimedWork>& works, int repetitions) {
   std::vector<std::vector<double>> times(works.size());
-  for (const TimedWork& work : works) work.run();  // untimed: warms memory and processor
-  for (int i = 0; i < repetitions; ++i)
+  // The first turn warms memory and processor.
+  for (int i = -1; i < repetitions; ++i)
     for (std::size_t k = 0; k < works.size(); ++k) {
+      if (works[k].prepare) works[k].prepare();
       const double start = thread_time();
       works[k].run();
-      times[k].push_back((thread_time() - start) / static_cast<double>(works[k].items));
+      if (i >= 0) times[k].push_back((thread_time() - start) / static_cast<double>(works[k].items));
     }
   std::vector<Timing> timings;
   for (const auto& one : times) timings.push_back(timing_of(one));

@@ -23,6 +23,7 @@ Timing time_of(std::size_t items, int repetitions, const std::function<void()>& 
 struct TimedWork {
   std::size_t items;  ///< that it handles
   std::function<void()> run;
+  std::function<void()> prepare = {};  ///< before each run, untimed
 };
 
 /// Times of each work, taken in turns: a machine that is slower for a while is so for all of them.

@@ -65,7 +65,10 @@ class ChunkStep {
     }
     solve(scratch_.pairs, scratch_.caches, reach_ > 0.0 ? Gap::resolve : Gap::skip, scratch_.far);
     // From behind, since a pair that leaves is replaced by the last one.
-    for (Index row = scratch_.awake.size(); row-- > 0;) sort_out(row);
+    for (Index row = scratch_.awake.size(); row-- > 0;) {
+      make_room_for_one(chunk_);
+      sort_out(row);
+    }
   }
 
   void solve_contacts() {
@@ -74,7 +77,7 @@ class ChunkStep {
     if (chunk_.group.narrow_phase == NarrowPhase::faces) hand_over();
   }
 
-  void apply_law();
+  void apply_law(ContactForces forces);
 
   void solve(const std::vector<LocalPair>& pairs, ContactCaches& caches, Gap gap, ChunkScratch::Solved& solved);
 
@@ -344,13 +347,14 @@ void ChunkStep::open_contacts() {
     const LocalPair pair = contacts.bodies[i];
     const double size_of_pair = std::min(shape(pair.first).bounding_radius, shape(pair.second).bounding_radius);
     const double overlap = scratch_.contacts.geometry.columns[of_geometry::overlap][i];
+    make_room_for_one(chunk_);
     chunk_.far.push_back({pair, rounded_down(travel(pair) - overlap - reach_ - safety * size_of_pair)});
     chunk_.far_caches.emplace_back(contacts.caches.get(i));
     remove_contact(contacts, i, law_);
   }
 }
 
-void ChunkStep::apply_law() {
+void ChunkStep::apply_law(ContactForces forces) {
   chunk_.stored_normal = chunk_.stored_tangential = chunk_.stiffest = chunk_.image_power = 0.0;
   std::fill(chunk_.wrenches.begin(), chunk_.wrenches.end(), Wrench());
   Contacts& contacts = chunk_.contacts;
@@ -360,6 +364,8 @@ void ChunkStep::apply_law() {
                   scratch_.contacts.geometry, scratch_.arms, scratch_.motion, scratch_.ahead);
   call_law();
   check_contacts();
+  const bool keep = forces == ContactForces::keep;
+  const auto kept = [&](std::vector<Vec3>& vectors) { return keep ? std::span(vectors) : std::span<Vec3>(); };
   const LawSums sums = collect({.geometry = scratch_.contacts.geometry,
                                 .arms = scratch_.arms,
                                 .motion = scratch_.motion,
@@ -369,8 +375,8 @@ void ChunkStep::apply_law() {
                                 .has_springs = reach_ == 0.0},
                                scratch_.constants.reduced_mass,
                                {.springs = contacts.spring,
-                                .force = contacts.force,
-                                .couple = contacts.couple,
+                                .force = kept(contacts.force),
+                                .couple = kept(contacts.couple),
                                 .pairs = contacts.bodies,
                                 .wrenches = chunk_.wrenches},
                                scratch_.ahead);
@@ -383,12 +389,16 @@ void ChunkStep::apply_law() {
   chunk_.stored_tangential = sums.stored_tangential;
   chunk_.stiffest = sums.stiffest;
   if (const ImageShifts& images = scratch_.contacts.images; images.flow)
-    for (Index i = 0; i < contacts.size(); ++i) chunk_.image_power += contacts.force[i].dot(images.velocity(i));
+    for (Index i = 0; i < contacts.size(); ++i) {
+      const Vec3 force(scratch_.answer[of_answer::force][i], scratch_.answer[of_answer::force + 1][i],
+                       scratch_.answer[of_answer::force + 2][i]);
+      chunk_.image_power += force.dot(images.velocity(i));
+    }
   open_contacts();
 }
 
 /// What a step reads and writes of a chunk.
-void list_for(ReadAhead& ahead, const PairChunk& chunk, const Kinematics& kinematics) {
+void list_for(ReadAhead& ahead, const PairChunk& chunk, const Kinematics& kinematics, ContactForces forces) {
   const Contacts& contacts = chunk.contacts;
   ahead.add(contacts.caches.states);
   for (Index k = 0; k < ContactCaches::width; ++k) ahead.add(contacts.caches.columns[k], contacts.size());
@@ -397,7 +407,7 @@ void list_for(ReadAhead& ahead, const PairChunk& chunk, const Kinematics& kinema
   ahead.add(contacts.memory);
   ahead.add(contacts.kind);
   ahead.add(contacts.spring);
-  ahead.add(contacts.force);
+  if (forces == ContactForces::keep) ahead.add(contacts.force);
   ahead.add(chunk.far);
   ahead.add(chunk.wrenches);
 }
@@ -405,9 +415,9 @@ void list_for(ReadAhead& ahead, const PairChunk& chunk, const Kinematics& kinema
 }  // namespace
 
 void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const Bodies& bodies,
-              const Kinematics& kinematics, ChunkScratch& scratch) {
+              const Kinematics& kinematics, ContactForces forces, ChunkScratch& scratch) {
   scratch.ahead.clear();
-  if (next != nullptr) list_for(scratch.ahead, *next, kinematics);
+  if (next != nullptr) list_for(scratch.ahead, *next, kinematics, forces);
   constexpr Index passes = 3;  // over the contacts, that read ahead
   scratch.ahead.spread_over(passes * chunk.contacts.size());
   const auto begin = std::chrono::steady_clock::now();
@@ -416,7 +426,7 @@ void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const
   step.solve_contacts();
   scratch.narrow_seconds += seconds_since(begin);
   const auto middle = std::chrono::steady_clock::now();
-  step.apply_law();
+  step.apply_law(forces);
   scratch.law_seconds += seconds_since(middle);
 }
 

@@ -39,10 +39,13 @@ struct ChunkScratch {
   double narrow_seconds = 0.0, law_seconds = 0.0;  // these add up
 };
 
+/// Whether the forces of single contacts are kept, or only what they add up to on the bodies.
+enum class ContactForces { skip, keep };
+
 /// Contacts, forces and memories of a chunk. Trouble is said in chunk.fault.
 /// @param next  the chunk that follows, or null: it is fetched meanwhile. No other thread may be at work on it.
 void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const Bodies& bodies,
-              const Kinematics& kinematics, ChunkScratch& scratch);
+              const Kinematics& kinematics, ContactForces forces, ChunkScratch& scratch);
 
 /// The geometry of a chunk's contacts, from their caches. Points are near body 1.
 ContactColumns geometry_of(const PairChunk& chunk, const World& world, const Bodies& bodies,

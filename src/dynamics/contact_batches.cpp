@@ -237,9 +237,9 @@ LawSums collect_all(const LawAnswer& law, const std::vector<double>& reduced_mas
       const V3<Batch> couple = load_vector(out, of_answer::couple, start, count);
       on_1 = on_1 + couple;
       on_2 = on_2 - couple;
-      write(couple, &effects.couple[start], count);
+      if (!effects.couple.empty()) write(couple, &effects.couple[start], count);
     }
-    write(force, &effects.force[start], count);
+    if (!effects.force.empty()) write(force, &effects.force[start], count);
     const WrenchRows first({force, on_1}), second({-force, on_2});
     for (std::size_t i = 0; i < count; ++i) {
       const LocalPair& pair = effects.pairs[start + i];

@@ -88,7 +88,7 @@ struct LawAnswer {
 /// What becomes of it.
 struct LawEffects {
   std::vector<NormalSpring>& springs;
-  std::vector<Vec3>&force, &couple;  ///< of each contact; couples only if the law has some
+  std::span<Vec3> force, couple;  ///< of each contact, where they are wanted; couples only if the law has some
   std::span<const LocalPair> pairs;
   std::vector<Wrench>& wrenches;  ///< on the chunk's bodies
 };

@@ -1,6 +1,7 @@
 #include "dynamics/engine.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -53,9 +54,9 @@ Simulation::Engine::Engine(const Setup& setup)
     record.mean_angular_velocity = record.last_angular_velocity = moving.angular_velocity;
   }
   rebuild();
-  evaluate_pairs();
+  evaluate_pairs(ContactForces::keep);
   image_power_ = image_power();
-  gather(0.0);
+  kick_bodies({.time = 0.0, .gravity = setup.gravity}, 0, bodies_.size(), pairs_, bodies_);
   kinematics_.time_step = setup.time_step;
 }
 
@@ -82,9 +83,12 @@ void Simulation::Engine::make_room_for(std::size_t body) {
   if (!bodies_.is_free(body)) driven_.push_back({.body = body});
 }
 
+bool Simulation::Engine::pour_is_due() const {
+  return !poured_.empty() && steps_ % steps_between_pours == 0;
+}
+
 /// Particles that are due come in, each further from everything than any force acts.
 void Simulation::Engine::pour() {
-  if (steps_ % steps_between_pours != 0) return;
   const std::size_t before = bodies_.size();
   for (std::size_t p = 0; p < poured_.size(); ++p)
     for (const BodyStart& start : poured_now(world_, bodies_, world_.setup.pours[p], steps_, poured_[p])) {
@@ -97,23 +101,39 @@ void Simulation::Engine::pour() {
   if (bodies_.size() > before) rebuild();
 }
 
-void Simulation::Engine::step() {
-  {
-    const StageClock clock(times_.broad);
-    pour();
+void Simulation::Engine::advance(std::uint64_t steps) {
+  // A step ends with a kick of every body and the next one begins with its motion: one pass over the bodies does both.
+  bool kick_is_due = false;
+  for (std::uint64_t left = steps; left > 0; --left) {
+    if (pour_is_due()) {
+      if (kick_is_due) end_step();
+      kick_is_due = false;
+      const StageClock clock(times_.broad);
+      pour();
+    }
+    move(kick_is_due);
+    if (list_is_stale_) {
+      const StageClock clock(times_.broad);
+      rebuild();
+    }
+    evaluate_pairs(left == 1 ? ContactForces::keep : ContactForces::skip);
+    kick_is_due = true;
   }
+  if (kick_is_due) end_step();
+}
+
+void Simulation::Engine::end_step() {
   {
     const StageClock clock(times_.move);
-    move();
+    const Kick kick = half_kick();
+    threads_.for_blocks(bodies_.size(), body_block,
+                        [&](std::size_t begin, std::size_t end) { kick_bodies(kick, begin, end, pairs_, bodies_); });
   }
-  ++steps_;
-  if (list_is_stale()) {
-    const StageClock clock(times_.broad);
-    rebuild();
-  }
-  evaluate_pairs();
-  const StageClock clock(times_.gather);
-  gather(0.5 * world_.setup.time_step);
+  add_driven_work();
+}
+
+/// Of the step whose forces are known now.
+void Simulation::Engine::add_driven_work() {
   for (const Driven& driven : driven_)
     driven_work_ -= 0.5 * ((driven.force + bodies_.force[driven.body]).dot(driven.displacement) +
                            (driven.torque + bodies_.torque[driven.body]).dot(driven.turn));
@@ -141,22 +161,6 @@ double Simulation::Engine::flow_way(double time) const {
   return world_.box.shear ? std::fabs(world_.box.shear->rate) * flow_reach_ * time : 0.0;
 }
 
-/// Spheres around bodies were listed with their skins. What turns in its sphere does not matter.
-bool Simulation::Engine::list_is_stale() const {
-  const double elapsed = static_cast<double>(steps_ - listed_step_) * world_.setup.time_step;
-  const double in_flow = 0.5 * flow_way(elapsed);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_.is_free(i)) continue;
-    Vec3 way = bodies_.position[i] - listed_at_[i];
-    if (world_.box.shear) way -= elapsed * flow_at(listed_at_[i]);
-    const double most = kinematics_.skin[i] - in_flow;
-    if (!(most > 0.0) || way.squaredNorm() > most * most) return true;
-  }
-  return std::any_of(driven_.begin(), driven_.end(), [&](const Driven& driven) {
-    return kinematics_.travel[driven.body] > kinematics_.skin[driven.body] - in_flow;
-  });
-}
-
 /// Skins that make lists and looks at pairs that do not touch cost least together: as many steps to the next list as a
 /// typical body's speed makes worth while, and for each body the way it will have gone by then.
 void Simulation::Engine::choose_skins() {
@@ -182,26 +186,55 @@ void Simulation::Engine::choose_skins() {
   flow_reach_ = 2.0 * (world_.largest_radius + most) + world_.largest_reach;
 }
 
-void Simulation::Engine::move() {
+/// Begins a step. If the last one is still to end, bodies get the rest of its kick on the way.
+void Simulation::Engine::move(bool kick_is_due) {
+  const StageClock clock(times_.move);
+  const double dt = world_.setup.time_step;
+  const MoveStep step{.time_step = dt, .gravity = world_.setup.gravity};
+  const Kick kick = half_kick();
   for (Driven& driven : driven_) driven.position = bodies_.position[driven.body];
-  const MoveStep step{.time_step = world_.setup.time_step, .gravity = world_.setup.gravity};
+  ++steps_;
+  if (world_.box.shear) world_.box = at_time(world_.setup.box, time());
+  const double most = 0.5 * world_.least_half_width;  // of a way in one step
+  const double elapsed = static_cast<double>(steps_ - listed_step_) * dt;
+  const double in_flow = 0.5 * flow_way(elapsed), flow_in_step = 0.5 * flow_way(dt);
+  const bool is_sheared = world_.box.shear.has_value();
+  std::atomic<bool> is_stale = false, is_lost = false;
+  const auto look_at = [&](std::size_t i, bool is_free) {
+    double& travel = kinematics_.travel[i];
+    travel += step_travel_[i];
+    Vec3 gone = bodies_.position[i] - listed_at_[i];
+    if (is_sheared) {
+      const Vec3& velocity = bodies_.velocity[i];
+      travel += flow_in_step + dt * ((velocity - flow_at(bodies_.position[i])).norm() - velocity.norm());
+      gone -= elapsed * flow_at(listed_at_[i]);
+    }
+    // Spheres around bodies were listed with their skins. What turns in its sphere does not matter.
+    const double room = kinematics_.skin[i] - in_flow;
+    if (is_free ? !(room > 0.0) || gone.squaredNorm() > room * room : travel > room)
+      is_stale.store(true, std::memory_order_relaxed);
+    if (!(step_travel_[i] <= most)) is_lost.store(true, std::memory_order_relaxed);  // NaN too
+  };
   threads_.for_blocks(bodies_.size(), body_block, [&](std::size_t begin, std::size_t end) {
+    if (kick_is_due) kick_bodies(kick, begin, end, pairs_, bodies_);
     move_bodies(step, begin, end, bodies_, kinematics_, radius_, step_travel_);
+    for (std::size_t i = begin; i < end; ++i)
+      if (bodies_.is_free(i)) look_at(i, true);
   });
-  for (Driven& driven : driven_) move_driven(driven);
-  const bool sheared = world_.box.shear.has_value();
-  if (sheared) world_.box = at_time(world_.setup.box, static_cast<double>(steps_ + 1) * step.time_step);
-  const double most = 0.5 * world_.least_half_width;
+  if (kick_is_due) add_driven_work();
+  for (Driven& driven : driven_) {
+    move_driven(driven);
+    look_at(driven.body, false);
+  }
+  list_is_stale_ = is_stale;
+  if (is_lost) stop_at_lost(most);
+}
+
+/// A body went further in a step than it may, or nowhere.
+void Simulation::Engine::stop_at_lost(double most) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const double way = step_travel_[i];
-    if (sheared) {
-      const Vec3& velocity = bodies_.velocity[i];
-      kinematics_.travel[i] += 0.5 * flow_way(step.time_step) +
-                               step.time_step * ((velocity - flow_at(bodies_.position[i])).norm() - velocity.norm());
-    }
-    kinematics_.travel[i] += way;
     if (way <= most) continue;  // false for NaN too
-    ++steps_;
     throw StepError(when() + "body " + std::to_string(i) +
                     (std::isfinite(way)
                          ? " moved " + number(way) + " m in one step, more than half of the least half width " +
@@ -214,8 +247,7 @@ void Simulation::Engine::move_driven(Driven& driven) {
   const std::size_t i = driven.body;
   const double dt = world_.setup.time_step;
   const BodyStart& start = world_.starts[i];
-  const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose,
-                                static_cast<double>(steps_ + 1) * dt);
+  const Moving moving = at_time(world_.setup.motions[static_cast<std::size_t>(start.motion)], start.pose, time());
   driven.displacement = moving.pose.position - driven.position;
   driven.turn = dt * moving.angular_velocity;
   driven.force = bodies_.force[i];
@@ -270,7 +302,7 @@ void Simulation::Engine::rebuild() {
   listed_step_ = steps_;
 }
 
-void Simulation::Engine::evaluate_pairs() {
+void Simulation::Engine::evaluate_pairs(ContactForces forces) {
   constexpr std::size_t most = 16, blocks_of_thread = 8;
   const auto threads = static_cast<std::size_t>(threads_.count());
   const std::size_t size = pairs_.chunks.size(), share = size / (blocks_of_thread * threads);
@@ -279,17 +311,11 @@ void Simulation::Engine::evaluate_pairs() {
     for (std::size_t c = begin; c < end; ++c) {
       // Only within the block: another thread may be at work on any other chunk.
       const PairChunk* next = c + 1 < end ? &pairs_.chunks[c + 1] : nullptr;
-      evaluate(pairs_.chunks[c], next, world_, bodies_, kinematics_, scratch_[Threads::current()]);
+      evaluate(pairs_.chunks[c], next, world_, bodies_, kinematics_, forces, scratch_[Threads::current()]);
     }
   });
   for (const PairChunk& chunk : pairs_.chunks)
     if (chunk.fault != Fault::none) stop_at(chunk);
-}
-
-void Simulation::Engine::gather(double kick_time) {
-  const Kick kick{.time = kick_time, .gravity = world_.setup.gravity};
-  threads_.for_blocks(bodies_.size(), body_block,
-                      [&](std::size_t begin, std::size_t end) { kick_bodies(kick, begin, end, pairs_, bodies_); });
 }
 
 std::string Simulation::Engine::when() const {

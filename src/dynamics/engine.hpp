@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "dynamics/chunk_forces.hpp"
+#include "dynamics/kick_bodies.hpp"
 #include "dynamics/pair_list.hpp"
 #include "dynamics/parallel.hpp"
 #include "osculate/dynamics/simulation.hpp"
@@ -14,7 +16,7 @@ class Simulation::Engine {
   explicit Engine(const Setup& setup);
   Engine(const Setup& setup, const State& state);
 
-  void step();
+  void advance(std::uint64_t steps);
 
   double time() const { return static_cast<double>(steps_) * world_.setup.time_step; }
   std::uint64_t steps() const { return steps_; }
@@ -39,18 +41,21 @@ class Simulation::Engine {
 
   void make_room();
   void make_room_for(std::size_t body);
+  bool pour_is_due() const;
   void pour();
-  void move();
+  void move(bool kick_is_due);
   void move_driven(Driven& driven);
   void rebuild();
   void wrap(std::size_t body);
-  void evaluate_pairs();
+  void evaluate_pairs(ContactForces forces);
+  void end_step();
+  void add_driven_work();
   double image_power() const;
   Vec3 flow_at(const Vec3& position) const;
   double flow_way(double time) const;
-  void gather(double kick_time);
-  bool list_is_stale() const;
+  Kick half_kick() const { return {0.5 * world_.setup.time_step, world_.setup.gravity}; }
   void choose_skins();
+  void stop_at_lost(double most) const;
   [[noreturn]] void stop_at(const PairChunk& chunk) const;
   std::string when() const;
 
@@ -72,6 +77,7 @@ class Simulation::Engine {
   double image_power_ = 0.0;       ///< of forces through the faces of a sheared box [W]
   double flow_reach_ = 0.0;        ///< no two bodies of a listed pair are further apart than this [m]
   std::uint64_t listed_step_ = 0;  ///< when the pairs were listed
+  bool list_is_stale_ = false;     ///< a body has left its skin
   double poured_energy_ = 0.0;     ///< [J]
   double gravity_wrapped_ = 0.0;   ///< gravity's energy that wrapping positions took away [J]
   std::uint64_t steps_ = 0, rebuilds_ = 0;

@@ -212,7 +212,7 @@ void restore(const FlatPairs& all, const World& world, std::size_t body_count, P
       if (law.makes_couples()) chunk.contacts.couple.back() = couple();
     }
     for (MemoryLine& line : chunk.contacts.memory) line = memory();
-    drop_spare_room(chunk);
+    fit_room(chunk);
   }
   bodies.finish(), far.finish(), contact.finish(), memory.finish(), force.finish(), couple.finish();
 }

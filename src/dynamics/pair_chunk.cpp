@@ -104,16 +104,17 @@ void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law) {
   if (law.makes_couples()) fill_gap(contacts.couple);
 }
 
-void drop_spare_room(PairChunk& chunk) {
+void fit_room(PairChunk& chunk) {
   Contacts& contacts = chunk.contacts;
-  const std::size_t size = contacts.size(), room = size + size / 16 + 1;
+  const auto room_for = [](std::size_t count) { return count + count / 16 + 1; };
+  const std::size_t size = contacts.size(), room = room_for(size), far_room = room_for(chunk.far.size());
   const auto fit = [](auto& items, std::size_t count) {
     auto fitting = items;  // a copy is as long as what it copies
     fitting.reserve(count);
     items.swap(fitting);
   };
-  fit(chunk.far, chunk.far.size());
-  fit(chunk.far_caches, chunk.far.size());
+  fit(chunk.far, far_room);
+  fit(chunk.far_caches, far_room);
   fit(chunk.bodies, chunk.bodies.size());
   ContactCaches caches;
   caches.resize(room);
@@ -121,7 +122,8 @@ void drop_spare_room(PairChunk& chunk) {
   caches.resize(size);
   contacts.caches = std::move(caches);
   fit(contacts.bodies, room);
-  fit(contacts.memory, contacts.memory.size() * room / std::max<std::size_t>(size, 1));
+  const auto blocks = [](std::size_t count) { return (count + law_lanes - 1) / law_lanes; };
+  fit(contacts.memory, contacts.memory.size() / std::max<std::size_t>(blocks(size), 1) * blocks(room));
   fit(contacts.kind, room);
   fit(contacts.constants, contacts.constants.size());
   fit(contacts.spring, room);

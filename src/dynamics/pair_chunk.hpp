@@ -134,8 +134,15 @@ void append_contact(Contacts& contacts, const Contacts& from, std::size_t i, con
 /// What a contact remembers becomes another one's; its own is as if it were new.
 void move_memory(Contacts& contacts, std::size_t from, std::size_t to, const ContactLaw& law);
 
-/// Gives back memory that growing left over, but for a sixteenth.
-void drop_spare_room(PairChunk& chunk);
+/// Room for the pairs that a chunk has and for a sixteenth more.
+void fit_room(PairChunk& chunk);
+
+/// The same where there is no room for one more: growing by its half or double would leave it half empty.
+inline void make_room_for_one(PairChunk& chunk) {
+  const bool is_full =
+      chunk.far.size() == chunk.far.capacity() || chunk.contacts.bodies.size() == chunk.contacts.bodies.capacity();
+  if (is_full) fit_room(chunk);
+}
 
 /// Removes a contact; the last one takes its place.
 void remove_contact(Contacts& contacts, std::size_t i, const ContactLaw& law);

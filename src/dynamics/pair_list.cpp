@@ -241,7 +241,7 @@ PairChunk make_chunk(std::span<const Candidate> pairs, const std::vector<Place>&
     }
   }
   chunk.wrenches.assign(chunk.bodies.size(), Wrench());
-  drop_spare_room(chunk);
+  fit_room(chunk);
   return chunk;
 }
 

@@ -11,7 +11,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
-  for (std::uint64_t i = 0; i < steps; ++i) engine_->step();
+  engine_->advance(steps);
 }
 
 double Simulation::time() const {

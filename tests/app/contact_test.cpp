@@ -134,3 +134,28 @@ TEST_CASE("The narrow-phase benchmark reports every quantity as JSON") {
       CHECK(one[key]["median_ns"] > 0.0);
   CHECK_THAT(run(fresh_folder("bench"), "bench narrow --class elipsoid").err, Contains("ellipsoid"));
 }
+
+TEST_CASE("The benchmark of scenes keeps settled states and finds them again") {
+  const auto folder = fresh_folder("bench-scenes");
+  const std::string few = "bench scenes --scene blocky --particles 8 --repetitions 3 --settled states --json";
+  const auto first = run(folder, few);
+  REQUIRE(first.exit_code == 0);
+  const auto state = folder / "states/blocky-8/checkpoint.bin";
+  REQUIRE(std::filesystem::exists(state));
+  const std::string kept = content_of(state);
+  const auto again = run(folder, few);
+  REQUIRE(again.exit_code == 0);
+  CHECK(content_of(state) == kept);
+  for (const auto& result : {first, again}) {
+    const json scene = json::parse(result.out)["scenes"][0];
+    CHECK(scene["particles"] == 8);
+    CHECK(scene["step"]["median_ns"] > 0.0);
+    CHECK(scene["bytes_per_particle"] > 0.0);
+    CHECK(scene["missed"] == 0);
+  }
+  const auto other = run(folder, few + " --tangential mindlin");
+  CHECK(other.exit_code == 2);
+  CHECK(other.out.empty());
+  CHECK_THAT(other.err, Contains("blocky-8") && Contains("another scene") && Contains("mindlin"));
+  CHECK(content_of(state) == kept);
+}

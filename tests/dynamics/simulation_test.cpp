@@ -101,6 +101,29 @@ TEST_CASE("No contact is missed between bodies of any speed, and fast ones do no
   CHECK(simulation.counts().rebuilds < samples * between / 8);
 }
 
+TEST_CASE("Pairs that open and close between two lists ask for next to no more memory") {
+  Simulation simulation(settling(damped_frictional_law(), {box()}, 6, 9.5e-3, 1e-5));
+  simulation.advance(10'000);
+  const auto of_the_rest = [&] { return static_cast<double>(simulation.memory_bytes() - simulation.contact_bytes()); };
+  double contact = 0.0, rest = 0.0;  // after the last list
+  std::uint64_t most_contacts = 0;   // since then
+  int looks = 0;
+  for (int k = 0; k < 200; ++k) {
+    const std::uint64_t lists = simulation.counts().rebuilds;
+    simulation.advance(10);
+    const bool is_new = simulation.counts().rebuilds != lists;
+    most_contacts = is_new ? simulation.counts().contacts : std::max(most_contacts, simulation.counts().contacts);
+    const double of_a_contact = static_cast<double>(simulation.contact_bytes()) / static_cast<double>(most_contacts);
+    if (is_new) contact = of_a_contact, rest = of_the_rest();
+    if (contact == 0.0) continue;
+    ++looks;
+    // A sixteenth is spare; between two looks there may have been some contacts more.
+    CHECK(of_a_contact < 1.1 * contact);
+    CHECK(of_the_rest() < 1.03 * rest);
+  }
+  CHECK(looks > 100);
+}
+
 TEST_CASE("Any number of threads gives the same bits") {
   Simulation one(mixed_scene(1));
   one.advance(2500);

@@ -62,7 +62,7 @@ struct StepCounts {
 
 /// Seconds spent since the start, on all threads together.
 struct StageTimes {
-  double move = 0.0, broad = 0.0, narrow = 0.0, law = 0.0, gather = 0.0;
+  double move = 0.0, broad = 0.0, narrow = 0.0, law = 0.0;
 };
 
 class Simulation {
@@ -77,7 +77,8 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Throws StepError, naming the body, when numbers are no longer finite, a body moved further in one step than half
-  /// of the least half width of all particles, or two bodies overlap as said above.
+  /// of the least half width of all particles, or two bodies overlap as said above: then only bodies() still tells
+  /// something.
   void advance(std::uint64_t steps);
 
   double time() const;  ///< [s]
