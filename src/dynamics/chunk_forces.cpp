@@ -6,6 +6,7 @@
 
 #include "geometry/contact_rows.hpp"
 #include "geometry/pair_order.hpp"
+#include "geometry/superquadric_narrow.hpp"
 #include "osculate/geometry/plane_contacts.hpp"
 
 namespace osculate {
@@ -197,7 +198,7 @@ void ChunkStep::solve(const std::vector<LocalPair>& pairs, ContactCaches& caches
       for (Index row = 0; row < shift.size(); ++row) x[row] += shift[k][row];
     }
     if (on_planes) return plane_contacts(solved.superquadrics, solved.geometry);
-    return common_normals(solved.superquadrics, caches, solved.geometry, gap, Curvatures::relative);
+    return common_normals(solved.superquadrics, caches, solved.geometry, gap, Curvatures::relative, scratch_.ahead);
   }
   solved.shapes.resize(pairs.size());
   for (Index row = 0; row < pairs.size(); ++row) {
@@ -418,7 +419,8 @@ void evaluate(PairChunk& chunk, const PairChunk* next, const World& world, const
               const Kinematics& kinematics, ContactForces forces, ChunkScratch& scratch) {
   scratch.ahead.clear();
   if (next != nullptr) list_for(scratch.ahead, *next, kinematics, forces);
-  constexpr Index passes = 3;  // over the contacts, that read ahead
+  // Over the contacts go fill_pairs, describe_motion, collect and, where it reads ahead, the narrow phase.
+  const Index passes = 3 + (chunk.group.narrow_phase == NarrowPhase::superquadrics ? passes_of_a_contact : 0);
   scratch.ahead.spread_over(passes * chunk.contacts.size());
   const auto begin = std::chrono::steady_clock::now();
   ChunkStep step(chunk, world, bodies, kinematics, scratch);

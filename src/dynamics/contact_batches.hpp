@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/read_ahead.hpp"
 #include "dynamics/kinematics.hpp"
 #include "dynamics/pair_chunk.hpp"
-#include "dynamics/read_ahead.hpp"
 
 namespace osculate {
 

@@ -415,7 +415,7 @@ inline Stage second_stage(const SuperquadricPairs& pairs, Index i) {
 
 template <class Real>
 void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
-               Curvatures curvatures) {
+               Curvatures curvatures, ReadAhead& ahead) {
   using Whole = ImplicitSurface<Real, WholePower<Real>>;
   using Implicit = ImplicitSurface<Real, AnyPower<Real>>;
   using Ellipsoid = GaugeSurface<Real, SquarePower>;
@@ -425,7 +425,7 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
   using BluntSupport = SupportSurface<BluntJet<Real>, Real, RealPower>;
   using SharpSupport = SupportSurface<SharpJet<Real>, Real, RealPower>;
 
-  const Tables tables{pairs, caches, contacts, gap, curvatures};
+  const Tables tables{pairs, caches, contacts, gap, curvatures, ahead};
   const std::array<Work, stages> first = sort_out<Real>(pairs, caches, gap);
   const auto by_stage = [&](const std::vector<Index>& rows) {
     std::array<Work, stages> work;
@@ -480,12 +480,12 @@ void solve_all(const SuperquadricPairs& pairs, ContactCaches& caches, ContactCol
 }
 
 void batched(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
-             Curvatures curvatures) {
-  solve_all<Batch>(pairs, caches, contacts, gap, curvatures);
+             Curvatures curvatures, ReadAhead& ahead) {
+  solve_all<Batch>(pairs, caches, contacts, gap, curvatures, ahead);
 }
 void scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
-            Curvatures curvatures) {
-  solve_all<double>(pairs, caches, contacts, gap, curvatures);
+            Curvatures curvatures, ReadAhead& ahead) {
+  solve_all<double>(pairs, caches, contacts, gap, curvatures, ahead);
 }
 const char* target_name() {
   return hwy::TargetName(HWY_TARGET);
@@ -581,16 +581,23 @@ ContactGeometry ContactColumns::get(std::size_t i) const {
 
 void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
                     Curvatures curvatures) {
+  ReadAhead nothing;
+  common_normals(pairs, caches, contacts, gap, curvatures, nothing);
+}
+
+void common_normals(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
+                    Curvatures curvatures, ReadAhead& ahead) {
   caches.resize(pairs.size());
   contacts.resize(pairs.size());
-  HWY_DYNAMIC_DISPATCH(batched)(pairs, caches, contacts, gap, curvatures);
+  HWY_DYNAMIC_DISPATCH(batched)(pairs, caches, contacts, gap, curvatures, ahead);
 }
 
 void common_normals_scalar(const SuperquadricPairs& pairs, ContactCaches& caches, ContactColumns& contacts, Gap gap,
                            Curvatures curvatures) {
   caches.resize(pairs.size());
   contacts.resize(pairs.size());
-  HWY_DYNAMIC_DISPATCH(scalar)(pairs, caches, contacts, gap, curvatures);
+  ReadAhead nothing;
+  HWY_DYNAMIC_DISPATCH(scalar)(pairs, caches, contacts, gap, curvatures, nothing);
 }
 
 const char* batch_instruction_set() {

@@ -14,7 +14,7 @@
 
 #include "core/float_pair-inl.hpp"
 #include "geometry/common_normal-inl.hpp"
-#include "osculate/geometry/superquadric_contacts.hpp"
+#include "geometry/superquadric_narrow.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace osculate {
@@ -29,6 +29,7 @@ struct Tables {
   ContactColumns& contacts;
   Gap gap;
   Curvatures curvatures;
+  ReadAhead& ahead;
 };
 
 /// A batch of their rows, one after another.
@@ -54,7 +55,7 @@ class Gathered {
       copy(tables.caches.columns, row, caches_.columns, i);
       caches_.states[i] = tables.caches.states[row];
     }
-    return {{pairs_, caches_, contacts_, tables.gap, tables.curvatures}, 0};
+    return {{pairs_, caches_, contacts_, tables.gap, tables.curvatures, tables.ahead}, 0};
   }
 
   /// What was found goes back, lane by lane, and what may help to find the rest.
@@ -93,9 +94,11 @@ void in_batches(const Tables& tables, const Work& work, std::vector<Index>& unso
       if ((found >> i & 1U) == 0) unsolved.push_back(row(i));
   };
   constexpr std::uint64_t all = (std::uint64_t{1} << width) - 1;
-  for (const Index first : work.batches)
+  for (const Index first : work.batches) {
     if (const std::uint64_t found = solve(Rows{tables, first}); found != all)
       collect(found, width, [&](Index i) { return first + i; });
+    tables.ahead.proceed(passes_of_a_contact * width);
+  }
   if (work.rows.empty()) return;
   Gathered gathered(width);
   for (Index start = 0; start < work.rows.size(); start += width) {
