@@ -1,5 +1,7 @@
 #include "dynamics/move_bodies.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -38,12 +40,22 @@ HWY_INLINE void write_records(const MovedColumns& from, const Vec3* positions, s
     for (std::size_t k = 0; k < 3; ++k) to[i].placed[5 + k] = positions[i][static_cast<Eigen::Index>(k)];
 }
 
+/// Records are written whole: their lines are fetched while others are worked on.
+HWY_INLINE void fetch_records(const std::vector<BodyRecord>& records, std::size_t first) {
+  constexpr std::size_t line = alignof(BodyRecord), lines = width * sizeof(BodyRecord) / line;
+  if (first + width > records.size()) return;
+  const auto* at = reinterpret_cast<const char*>(&records[first]);
+  for (std::size_t k = 0; k < lines; ++k) hwy::Prefetch(at + k * line);
+}
+
 void move(const MoveStep& step, std::size_t begin, std::size_t end, Bodies& bodies, Kinematics& kinematics,
           const double* radius, double* way_of) {
+  constexpr std::size_t ahead = 24;  // bodies
   const Batch dt(step.time_step), half(0.5 * step.time_step);
   const V3<Batch> gravity{Batch(step.gravity.x()), Batch(step.gravity.y()), Batch(step.gravity.z())};
   for_batches(end - begin, [&](std::size_t row, auto count) HWY_ATTR {
     const std::size_t start = begin + row;
+    fetch_records(kinematics.records, start + ahead);
     const QuatOf<Batch> before = read(&bodies.orientation[start], count);
     const Batch inverse_mass = Batch(1.0) / load<Batch>(&bodies.mass[start], count);
     const V3<Batch> inverse_inertia = inverse(read(&bodies.inertia[start], count));
