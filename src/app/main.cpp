@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "app/commands.hpp"
+#include "app/huge_pages.hpp"
 #include "osculate/core/error.hpp"
 
 namespace {
@@ -34,6 +36,7 @@ constexpr const char* first_steps =
   osculate study curvature                                 what one radius a body costs
   osculate bench narrow                                    what a contact costs on this machine
   osculate bench laws                                      what its force law costs
+  osculate bench scenes                                    what a step of particles at rest costs
 
 `osculate COMMAND --help` explains a command and the files it reads.
 Exit codes: 0 done, 1 a comparison missed its bar, 2 wrong input (the message says where), 3 an internal error.)";
@@ -66,6 +69,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const std::string_view command = argc > 1 ? argv[1] : ""; command == "run" || command == "bench")
+    osculate::app::use_huge_pages(argv);
   try {
     return run(argc, argv);
   } catch (const osculate::InputError& error) {
