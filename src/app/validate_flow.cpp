@@ -27,17 +27,17 @@ constexpr const char* help =
     R"(Hopper: ellipsoids 3 : 3 : 2 mm, friction 0.3; a bin 78 mm wide and 20 mm deep above a wedge of 60 degrees; its upright
 walls have no friction, so that the slot is as if it went on behind them. W is taken from when a tenth has left, until
 the filling is no higher above the slot than the bin is wide: later it feels that the hopper runs empty. Errors are those
-of the mean of four parts of that time.
+of the mean of four parts of that time, or of the mean of several hoppers where these differ by more.
 Heaps: superquadrics of half axes 2 : 2 : 3 mm and of the exponent n, sizes spread by a tenth, on a floor of the same
 friction. The angle is that of the cone with the same medians of height and of distance from the axis.
 Grains are softer than real ones, 1 MPa: that allows a longer time step.
 Examples:
   osculate validate flow --picture flow.png
-  osculate validate flow --particles 2400 --heaps 8 --json > flow.json)";
+  osculate validate flow --particles 2400 --hoppers 4 --heaps 8 --json > flow.json)";
 
 constexpr const char* about_discharge =
     R"(Discharge of {} ellipsoids from a wedge hopper through a slot of width D: W = C ρ_b √g L (D − k d)^(3/2) [BLV61],
-d = {:.2f} mm the diameter of the sphere of equal volume. Grains at rest overlap by {:.1f} % of d on average.
+d = {:.2f} mm the diameter of the sphere of equal volume; mean of {}. Grains at rest overlap by {:.1f} % of d on average.
 
 {}
 {}
@@ -88,7 +88,7 @@ void print_discharge(const DischargeSeries& series, const FlowSettings& settings
         fmt::format("{:g} ± {:g}", expected::gravity_ratio, expected::gravity_tolerance),
         with_error(ratio.rate, ratio.error, 3), verdict(series.gravity_agrees())}},
       1};
-  fmt::print(fmt::runtime(about_discharge), settings.particles, 1e3 * series.diameter,
+  fmt::print(fmt::runtime(about_discharge), settings.particles, 1e3 * series.diameter, settings.hoppers,
              100.0 * series.overlap / series.diameter, io::to_text(rates), io::to_text(trends),
              expected::least_exponent, expected::most_exponent);
 }
@@ -228,6 +228,9 @@ void add_validate_flow(CLI::App& validate) {
   command->add_option("--particles", options->settings.particles, "Grains in the hopper")
       ->capture_default_str()
       ->check(CLI::Range(1000, 20000));
+  command->add_option("--hoppers", options->settings.hoppers, "Hoppers of each kind, to be averaged")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100));
   command->add_option("--heaps", options->settings.heaps, "Heaps of each kind, to be averaged")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));

@@ -106,6 +106,15 @@ TEST_CASE("The steady rate is that between the first tenth and a filling as low 
   CHECK_THROWS_AS(steady_discharge(out), std::runtime_error);
 }
 
+TEST_CASE("The mean of hoppers is as uncertain as their differences or their own errors say") {
+  CHECK(mean_discharge({{.rate = 2.0, .error = 0.1}}).error == Approx(0.1));
+  const Discharge apart = mean_discharge({{.rate = 1.0, .error = 0.0}, {.rate = 2.0, .error = 0.0}, {3.0, 0.0}});
+  CHECK(apart.rate == Approx(2.0));
+  CHECK(apart.error == Approx(std::sqrt(1.0 / 3.0)));  // 1 the standard deviation
+  const Discharge alike = mean_discharge({{.rate = 2.0, .error = 0.3}, {.rate = 2.0, .error = 0.4}});
+  CHECK(alike.error == Approx(0.25));
+}
+
 TEST_CASE("The angle of a cone comes from its medians, whatever lies far away") {
   Random random(7);
   const double height = 0.02, radius = 0.05;

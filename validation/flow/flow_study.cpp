@@ -17,14 +17,20 @@ bool increases(const std::vector<Discharge>& discharges) {
          }) == discharges.end();
 }
 
-DischargeSeries series_of(const std::vector<Outflow>& flows) {
+/// @param flows  of each width, then of the widest at light gravity, so many alike one after another
+DischargeSeries series_of(const std::vector<Outflow>& flows, std::size_t alike) {
+  const auto mean_of = [&](std::size_t kind) {
+    std::vector<Discharge> discharges;
+    for (std::size_t i = kind * alike; i < (kind + 1) * alike; ++i) discharges.push_back(steady_discharge(flows[i]));
+    return mean_discharge(discharges);
+  };
   DischargeSeries series{.diameter = hopper_grain_diameter(),
                          .widths = slot_widths(),
                          .discharges = {},
-                         .light = steady_discharge(flows.back()),
+                         .light = mean_of(slot_widths().size()),
                          .fit = {},
                          .overlap = 0.0};
-  for (std::size_t i = 0; i < series.widths.size(); ++i) series.discharges.push_back(steady_discharge(flows[i]));
+  for (std::size_t i = 0; i < series.widths.size(); ++i) series.discharges.push_back(mean_of(i));
   for (const Outflow& flow : flows) series.overlap = std::max(series.overlap, flow.overlap);
   series.fit = beverloo_fit(series.widths, series.discharges, series.diameter);
   return series;
@@ -80,13 +86,17 @@ bool HeapSeries::rises() const {
 FlowStudy flow_study(const FlowSettings& settings, const Done& done) {
   std::vector<Case> jobs;
   std::vector<HopperCase> hoppers;
-  for (const double width : slot_widths())
-    hoppers.push_back({.width = width, .gravity = gravity, .particles = settings.particles});
-  hoppers.push_back({.width = slot_widths().back(), .gravity = light_gravity, .particles = settings.particles});
+  const auto alike = static_cast<std::size_t>(settings.hoppers);
+  const auto add_hoppers = [&](double width, double pull) {
+    for (std::size_t seed = 1; seed <= alike; ++seed)
+      hoppers.push_back({.width = width, .gravity = pull, .particles = settings.particles, .seed = seed});
+  };
+  for (const double width : slot_widths()) add_hoppers(width, gravity);
+  add_hoppers(slot_widths().back(), light_gravity);
   std::vector<Outflow> flows(hoppers.size());
   for (std::size_t i = 0; i < hoppers.size(); ++i)
     jobs.emplace_back([&, i](const Done& told) { flows[i] = outflow(hoppers[i], told); });
-  std::rotate(jobs.begin(), jobs.end() - 1, jobs.end());  // the longest first
+  std::rotate(jobs.begin(), jobs.end() - settings.hoppers, jobs.end());  // the longest first
 
   struct Heaps {
     double friction, exponent;
@@ -111,7 +121,7 @@ FlowStudy flow_study(const FlowSettings& settings, const Done& done) {
                         return kind.friction == friction && kind.exponent == exponent;
                       })->angles);
   };
-  FlowStudy study{.discharge = series_of(flows), .heaps = {}};
+  FlowStudy study{.discharge = series_of(flows, alike), .heaps = {}};
   HeapSeries by_friction{.name = "friction μ", .values = frictions, .angles = {}};
   for (const double friction : frictions) by_friction.angles.push_back(angle(friction, usual_exponent));
   HeapSeries by_exponent{.name = "exponent n", .values = exponents, .angles = {}};

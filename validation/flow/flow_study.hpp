@@ -61,7 +61,8 @@ struct FlowStudy {
 };
 
 struct FlowSettings {
-  std::uint64_t particles = 1200;  ///< in the hopper
+  std::uint64_t particles = 1200;  ///< in a hopper
+  int hoppers = 3;                 ///< of each kind, with seeds 1, 2, …: their mean counts
   int heaps = 2;                   ///< of each kind, with seeds 1, 2, …: their mean counts
   int threads = processors();      ///< simulations at once
 };

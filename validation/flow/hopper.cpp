@@ -216,6 +216,16 @@ Discharge steady_discharge(const Outflow& out) {
   return result;
 }
 
+Discharge mean_discharge(const std::vector<Discharge>& discharges) {
+  const auto count = static_cast<double>(discharges.size());
+  double sum = 0.0, own = 0.0, differences = 0.0;
+  for (const Discharge& one : discharges) sum += one.rate, own += one.error * one.error;
+  const double mean = sum / count;
+  for (const Discharge& one : discharges) differences += (one.rate - mean) * (one.rate - mean);
+  const double between = discharges.size() > 1 ? differences / (count * (count - 1.0)) : 0.0;
+  return {.rate = mean, .error = std::sqrt(std::max(own / (count * count), between))};
+}
+
 BeverlooFit beverloo_fit(const std::vector<double>& widths, const std::vector<Discharge>& discharges, double diameter) {
   constexpr std::size_t fewest = 3;
   if (widths.size() < fewest || widths.size() != discharges.size())

@@ -45,6 +45,10 @@ struct Discharge {
 /// Throws std::runtime_error if that is too short to tell.
 Discharge steady_discharge(const Outflow& out);
 
+/// Mean of several hoppers alike, one at least. Its error is what their differences give it, or their own errors where
+/// those give more: three of a kind may agree by chance.
+Discharge mean_discharge(const std::vector<Discharge>& discharges);
+
 /// What a series of widths says of the law.
 struct BeverlooFit {
   double k;               ///< of a straight line through W^{2/3} over D
