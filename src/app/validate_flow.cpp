@@ -42,7 +42,8 @@ d = {:.2f} mm the diameter of the sphere of equal volume; mean of {}. Grains at 
 {}
 {}
 The exponent depends on the k that one takes: with another one of 1 to 2 the law itself has {:g} to {:g} here.
-Values of k that are commonly quoted are mostly those of flat bottoms.
+Values of k that are commonly quoted are mostly those of flat bottoms. A range is contradicted by what lies outside it by
+more than {:g} standard errors.
 
 )";
 
@@ -90,7 +91,7 @@ void print_discharge(const DischargeSeries& series, const FlowSettings& settings
       1};
   fmt::print(fmt::runtime(about_discharge), settings.particles, 1e3 * series.diameter, settings.hoppers,
              100.0 * series.overlap / series.diameter, io::to_text(rates), io::to_text(trends),
-             expected::least_exponent, expected::most_exponent);
+             expected::least_exponent, expected::most_exponent, expected::errors);
 }
 
 void print_heaps(const HeapSeries& series) {
