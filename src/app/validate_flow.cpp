@@ -42,8 +42,7 @@ d = {:.2f} mm the diameter of the sphere of equal volume; mean of {}. Grains at 
 {}
 {}
 The exponent depends on the k that one takes: with another one of 1 to 2 the law itself has {:g} to {:g} here.
-Values of k that are commonly quoted are mostly those of flat bottoms. A range is contradicted by what lies outside it by
-more than {:g} standard errors.
+Values of k that are commonly quoted are mostly those of flat bottoms.
 
 )";
 
@@ -91,7 +90,7 @@ void print_discharge(const DischargeSeries& series, const FlowSettings& settings
       1};
   fmt::print(fmt::runtime(about_discharge), settings.particles, 1e3 * series.diameter, settings.hoppers,
              100.0 * series.overlap / series.diameter, io::to_text(rates), io::to_text(trends),
-             expected::least_exponent, expected::most_exponent, expected::errors);
+             expected::least_exponent, expected::most_exponent);
 }
 
 void print_heaps(const HeapSeries& series) {

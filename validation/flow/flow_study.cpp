@@ -11,10 +11,6 @@ constexpr double gravity = 9.81, light_gravity = gravity / 4.0;  // m/s²
 const std::vector<double> frictions{0.1, 0.3, 0.6}, exponents{2.0, 3.0, 5.0};
 constexpr double usual_friction = 0.6, usual_exponent = 3.0;
 
-bool lies_in(double least, double most, double value, double error) {
-  return value + expected::errors * error >= least && value - expected::errors * error <= most;
-}
-
 bool increases(const std::vector<Discharge>& discharges) {
   return std::adjacent_find(discharges.begin(), discharges.end(), [](const Discharge& one, const Discharge& next) {
            return one.rate >= next.rate;
@@ -54,11 +50,11 @@ Discharge DischargeSeries::gravity_ratio() const {
 }
 
 bool DischargeSeries::exponent_agrees() const {
-  return lies_in(expected::least_exponent, expected::most_exponent, fit.exponent, fit.exponent_error);
+  return fit.exponent >= expected::least_exponent && fit.exponent <= expected::most_exponent;
 }
 
 bool DischargeSeries::k_agrees() const {
-  return lies_in(expected::least_k, expected::most_k, fit.k, fit.k_error);
+  return fit.k >= expected::least_k && fit.k <= expected::most_k;
 }
 
 bool DischargeSeries::is_straight() const {

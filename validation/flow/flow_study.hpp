@@ -34,7 +34,6 @@ struct DischargeSeries {
 /// or 1.9 of D − 1.4 d.
 namespace expected {
 inline constexpr double least_k = 1.0, most_k = 3.5;
-inline constexpr double errors = 2.0;  ///< so many standard errors outside a range contradict it
 inline constexpr double least_exponent = 1.3, most_exponent = 1.9;
 inline constexpr double least_correlation = 0.99;
 inline constexpr double gravity_ratio = 0.5, gravity_tolerance = 0.05;
