@@ -74,6 +74,10 @@ TEST_CASE("A discharge agrees only if width and gravity do what the law says") {
   const double widest = series.discharges.back().rate;
   series.light.rate = 0.5 * widest;
   CHECK(series.agrees());
+  series.fit = beverloo_fit(slot_widths(), beverloo_rates(0.7, d), d);
+  CHECK_FALSE(series.k_agrees());
+  CHECK_FALSE(series.exponent_agrees());
+  series.fit = beverloo_fit(slot_widths(), series.discharges, d);
   series.light.rate = 0.6 * widest;
   CHECK_FALSE(series.agrees());
   series.light.rate = 0.5 * widest;
