@@ -164,7 +164,7 @@ std::optional<FoundCheckpoint> find_checkpoint(const std::filesystem::path& fold
   }
   if (!any) return std::nullopt;
   throw InputError(folder.string(), fmt::format("found no sound checkpoint: {}", fmt::join(found.complaints, "; ")),
-                   "an undamaged one; start anew without --resume");
+                   "an undamaged one, or a folder without any");
 }
 
 }  // namespace osculate::io

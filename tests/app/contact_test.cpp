@@ -158,4 +158,9 @@ TEST_CASE("The benchmark of scenes keeps settled states and finds them again") {
   CHECK(other.out.empty());
   CHECK_THAT(other.err, Contains("blocky-8") && Contains("another scene") && Contains("mindlin"));
   CHECK(content_of(state) == kept);
+  write(state, kept.substr(0, kept.size() / 2));
+  const auto damaged = run(folder, few);
+  CHECK(damaged.exit_code == 2);
+  CHECK_THAT(damaged.err, Contains("blocky-8") && Contains("checksum") && Contains("folder without any"));
+  CHECK(content_of(state).size() == kept.size() / 2);
 }
