@@ -77,8 +77,8 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Throws StepError, naming the body, when numbers are no longer finite, a body moved further in one step than half
-  /// of the least half width of all particles, or two bodies overlap as said above: then only bodies() still tells
-  /// something.
+  /// of the least half width of all particles, or two bodies overlap as said above. Ask for no more than the bodies
+  /// then.
   void advance(std::uint64_t steps);
 
   double time() const;  ///< [s]
