@@ -77,8 +77,7 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Throws StepError, naming the body, when numbers are no longer finite, a body moved further in one step than half
-  /// of the least half width of all particles, or two bodies overlap as said above. Ask for no more than the bodies
-  /// then.
+  /// of the least half width of all particles, or two bodies overlap as said above.
   void advance(std::uint64_t steps);
 
   double time() const;  ///< [s]
